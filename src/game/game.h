@@ -1,0 +1,53 @@
+// A game: a level's world under a method, what the player has done to it, and what the rules make of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "level/level.h"
+#include "physics/method.h"
+
+namespace game {
+
+using geometry::Vec2;
+
+// What the player does at one moment (formats.md section 4).
+struct Grab {
+    int ball = 0;
+    Vec2 pointer = Vec2::Zero();  // m
+};
+struct Move {
+    Vec2 pointer = Vec2::Zero();
+};
+struct Release {};
+struct Tilt {
+    double angle = 0;  // rad
+};
+struct Input {
+    double time = 0;  // s
+    std::variant<Grab, Move, Release, Tilt> action;
+};
+
+struct Run {
+    std::string level_file;  // as it can be opened from here
+    std::optional<std::string> level_hash;
+    std::optional<std::string> method_name;  // "article", "steps", "exact"; none = auto
+    std::optional<double> rate;              // steps/s
+    std::optional<double> duration;          // s
+    std::vector<Input> inputs;
+    struct Final {
+        double time = 0;
+        std::string state_hash;
+    };
+    std::optional<Final> final;
+};
+
+struct Status {
+    int bananas = 0;                   // picked up
+    std::optional<double> goal_time;   // s
+    std::optional<double> fall_time;   // s, the player's
+    bool out_of_time = false;
+};
+
+}  // namespace game

@@ -1,0 +1,25 @@
+// Elementary functions made of + - * / and sqrt alone, so that every compiler and C library gives the same bits.
+#pragma once
+
+namespace geometry {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+struct SineCosine {
+    double sine = 0;
+    double cosine = 1;
+};
+
+// Error at most 1e-15 absolute for |angle| <= 1e6 rad; the argument is reduced by a split pi/2.
+SineCosine sine_cosine(double angle);
+
+// Relative error at most 1e-15; 0 below -708, infinity above 709.
+double exponential(double x);
+
+// The angle of (x, y) in (-pi, pi], error at most 1e-15 rad; 0 for the origin.
+double arctangent(double y, double x);
+
+// The angle in [0, pi] whose cosine is x; x outside [-1, 1] counts as the nearer end.
+double arccosine(double x);
+
+}  // namespace geometry

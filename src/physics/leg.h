@@ -1,0 +1,79 @@
+// A leg: the motion of one ball as a known function of time, in one phase, between two events. at() is the only sampler.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "geometry/oscillator.h"
+#include "physics/ball.h"
+#include "physics/terrain.h"
+
+namespace physics {
+
+enum class Phase { flight, roll, slide, rest };
+
+// What a stepping method writes: a straight line from one step to the next, with the state at its beginning.
+struct Straight {
+    State from;
+    Vec2 rate = Vec2::Zero();  // m/s, the chord's, not the state's velocity
+    double angle_rate = 0;     // rad/s
+};
+
+// Constant acceleration; standing still is the case in which all rates are zero.
+struct Ballistic {
+    State from;
+    Vec2 acceleration = Vec2::Zero();  // m/s^2
+    double spin_rate = 0;              // rad/s^2
+};
+
+// Flight on the drag spring: each axis swings about the equilibrium.
+struct SpringFlight {
+    State from;
+    Vec2 equilibrium = Vec2::Zero();  // m
+    geometry::Oscillator oscillator;
+};
+
+// Along a straight track on the drag spring. The angle is that of `from` + spin t + spin_rate t^2/2 when sliding,
+// and follows the way rolled when rolling.
+struct LineSwing {
+    State from;
+    Vec2 along = Vec2::UnitX();     // unit
+    double displacement = 0;        // m, from the equilibrium, along `along`, at the beginning
+    double speed = 0;               // m/s, along `along`, at the beginning
+    geometry::Oscillator oscillator;
+    double rolling = 0;             // 1/m: 1/r when rolling, 0 when sliding
+    double spin_rate = 0;           // rad/s^2, when sliding
+};
+
+// Round a circular track: the polar angle, and the ball's own angle, as power series in the time since the leg began.
+struct CircleSeries {
+    Vec2 centre = Vec2::Zero();
+    double rho = 0;                   // m
+    std::vector<double> phi;          // rad, rad/s, ...: the polar angle's coefficients
+    std::vector<double> angle;        // the ball's angle
+};
+struct CircleRun {
+    std::shared_ptr<CircleSeries const> series;
+};
+
+using Motion = std::variant<Straight, Ballistic, SpringFlight, LineSwing, CircleRun>;
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+struct Leg {
+    double since = 0;      // s
+    double until = never;  // s, the event that ends it, as far as is known
+    Phase phase = Phase::flight;
+    Contact contact;
+    Motion motion;
+};
+
+// The state at time t, forward or back of the leg's ends as well. Never changes anything.
+State at(Leg const& leg, double t);
+
+// An upper bound of |d^2 position/dt^2| over [from, to] within the leg, m/s^2.
+double acceleration_bound(Leg const& leg, double from, double to);
+
+}  // namespace physics

@@ -1,0 +1,42 @@
+// The catalogue of methods: each turns a world into the same world later; they are interchangeable.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "physics/world.h"
+
+namespace physics {
+
+// The article's rule, once a step (physics/article.h).
+struct Article {
+    double rate = 240;  // steps/s
+};
+
+// Fixed steps, soft contacts (physics/steps.h).
+struct Steps {
+    double rate = 240;  // steps/s
+    int substeps = 4;
+};
+
+using Method = std::variant<Article, Steps>;
+
+char const* name_of(Method const& method);
+
+// Why a call was refused. The world is then as it was.
+struct Fault {
+    std::string why;
+};
+
+// The world at time 0 and its history, balls at their starts. Sensors that notice a ball there fire at 0.
+World world_at_start(Method const& method, Scene const& scene, History& history);
+
+// Advances until world.time >= until and appends legs and events to the history: exactly to `until`, or to the first
+// step that starts at or after it. Refuses an `until` that is not finite; does nothing for one that is past.
+std::optional<Fault> advance(Method const& method, Scene const& scene, World& world, double until, History& history);
+
+// From world.time on these forces act. Refuses numbers that are not finite and a ball that does not exist.
+std::optional<Fault> apply(Method const& method, Scene const& scene, World& world, Forces const& forces, History& history);
+
+}  // namespace physics

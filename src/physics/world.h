@@ -1,0 +1,89 @@
+// A world: where everything is at one time and what acts on it; and the history of how it came there. Plain data.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physics/leg.h"
+#include "physics/scene.h"
+
+namespace physics {
+
+// What the player does: the same from one input to the next.
+struct Pull {
+    int ball = 0;
+    Vec2 target = Vec2::Zero();  // m
+    bool operator==(Pull const&) const = default;
+};
+struct Forces {
+    double tilt = 0;  // rad, gravity turned counter-clockwise
+    std::optional<Pull> pull;
+    bool operator==(Forces const&) const = default;
+};
+Vec2 gravity_of(Scene const& scene, Forces const& forces);
+
+// A contact that a stepping method keeps from one step to the next, with the impulses that start the next solution.
+struct Touch {
+    int ball = 0;
+    int other = -1;      // the other ball, or -1
+    Contact contact;     // with terrain, where other is -1
+    double normal_impulse = 0;   // N s, of one substep
+    double tangent_impulse = 0;  // N s
+};
+
+// What the exact method knows of a ball's future: how its leg ends, and whom it meets first.
+struct Outlook {
+    int ending = 0;          // meaning: physics/exact.h
+    Contact next;            // the contact that the ending leads to
+    double coordinate = 0;   // m, on the track, while in contact
+    double speed = 0;        // m/s, along the track
+    double hit_time = never; // s
+    int hit_ball = -1;
+};
+
+struct World {
+    double time = 0;  // s: everything up to here is settled
+    Forces forces;
+    std::vector<Leg> legs;  // by ball, the current ones
+
+    double step_origin = 0;      // s, where step 0 began
+    long long steps_taken = 0;   // step n is at step_origin + n / rate
+    std::vector<Touch> touches;  // stepping methods
+
+    std::vector<Outlook> outlooks;  // exact method
+    bool handed_over = false;       // the exact method has let `steps` take the world for now
+
+    std::vector<std::vector<bool>> noticed;  // by sensor and ball
+};
+
+enum class EventKind {
+    land, bounce, slip, grip, lift, joint, corner, rest, hit, grab, release, tilt, sensor, handover, takeover
+};
+
+struct Event {
+    double time = 0;
+    EventKind kind = EventKind::land;
+    int ball = 0;
+    State state;        // just after
+    Contact contact;    // the surface touched
+    int other = -1;     // the other ball of a hit, the sensor of a sensor event
+};
+
+// How the world came where it is: legs by ball in order of time, the current one last, and events.
+struct History {
+    std::vector<std::deque<Leg>> legs;
+    std::deque<Event> events;
+    double from = 0;  // s: nothing is known of before
+};
+
+// Drops what ended before `time`. Keeps what is needed to answer from `time` on.
+void forget_before(History& history, double time);
+
+// The leg that a ball was on at time t >= history.from. Where one leg ends as another begins, the later one.
+Leg const& leg_at(History const& history, int ball, double t);
+
+State state_at(History const& history, int ball, double t);
+
+}  // namespace physics
