@@ -1,4 +1,5 @@
-// A leg: the motion of one ball as a known function of time, in one phase, between two events. at() is the only sampler.
+// A leg: the motion of one ball as a known function of time, in one phase, between two events. at() is the only
+// sampler.
 #pragma once
 
 #include <limits>
@@ -39,20 +40,20 @@ struct SpringFlight {
 // and follows the way rolled when rolling.
 struct LineSwing {
     State from;
-    Vec2 along = Vec2::UnitX();     // unit
-    double displacement = 0;        // m, from the equilibrium, along `along`, at the beginning
-    double speed = 0;               // m/s, along `along`, at the beginning
+    Vec2 along = Vec2::UnitX();  // unit
+    double displacement = 0;     // m, from the equilibrium, along `along`, at the beginning
+    double speed = 0;            // m/s, along `along`, at the beginning
     geometry::Oscillator oscillator;
-    double rolling = 0;             // 1/m: 1/r when rolling, 0 when sliding
-    double spin_rate = 0;           // rad/s^2, when sliding
+    double rolling = 0;    // 1/m: 1/r when rolling, 0 when sliding
+    double spin_rate = 0;  // rad/s^2, when sliding
 };
 
 // Round a circular track: the polar angle, and the ball's own angle, as power series in the time since the leg began.
 struct CircleSeries {
     Vec2 centre = Vec2::Zero();
-    double rho = 0;                   // m
-    std::vector<double> phi;          // rad, rad/s, ...: the polar angle's coefficients
-    std::vector<double> angle;        // the ball's angle
+    double rho = 0;             // m
+    std::vector<double> phi;    // rad, rad/s, ...: the polar angle's coefficients
+    std::vector<double> angle;  // the ball's angle
 };
 struct CircleRun {
     std::shared_ptr<CircleSeries const> series;

@@ -37,6 +37,7 @@ World world_at_start(Method const& method, Scene const& scene, History& history)
 std::optional<Fault> advance(Method const& method, Scene const& scene, World& world, double until, History& history);
 
 // From world.time on these forces act. Refuses numbers that are not finite and a ball that does not exist.
-std::optional<Fault> apply(Method const& method, Scene const& scene, World& world, Forces const& forces, History& history);
+std::optional<Fault> apply(Method const& method, Scene const& scene, World& world, Forces const& forces,
+                           History& history);
 
 }  // namespace physics

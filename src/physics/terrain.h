@@ -27,8 +27,8 @@ struct Piece {
 // One end of a piece, seen from the vertex it ends in.
 struct Spoke {
     int piece = 0;
-    bool at_start = true;                // the piece starts here
-    Vec2 direction = Vec2::UnitX();      // unit, from the vertex into the piece
+    bool at_start = true;            // the piece starts here
+    Vec2 direction = Vec2::UnitX();  // unit, from the vertex into the piece
 };
 
 struct Vertex {

@@ -27,19 +27,19 @@ Vec2 gravity_of(Scene const& scene, Forces const& forces);
 // A contact that a stepping method keeps from one step to the next, with the impulses that start the next solution.
 struct Touch {
     int ball = 0;
-    int other = -1;      // the other ball, or -1
-    Contact contact;     // with terrain, where other is -1
+    int other = -1;              // the other ball, or -1
+    Contact contact;             // with terrain, where other is -1
     double normal_impulse = 0;   // N s, of one substep
     double tangent_impulse = 0;  // N s
 };
 
 // What the exact method knows of a ball's future: how its leg ends, and whom it meets first.
 struct Outlook {
-    int ending = 0;          // meaning: physics/exact.h
-    Contact next;            // the contact that the ending leads to
-    double coordinate = 0;   // m, on the track, while in contact
-    double speed = 0;        // m/s, along the track
-    double hit_time = never; // s
+    int ending = 0;           // meaning: physics/exact.h
+    Contact next;             // the contact that the ending leads to
+    double coordinate = 0;    // m, on the track, while in contact
+    double speed = 0;         // m/s, along the track
+    double hit_time = never;  // s
     int hit_ball = -1;
 };
 
@@ -59,16 +59,30 @@ struct World {
 };
 
 enum class EventKind {
-    land, bounce, slip, grip, lift, joint, corner, rest, hit, grab, release, tilt, sensor, handover, takeover
+    land,
+    bounce,
+    slip,
+    grip,
+    lift,
+    joint,
+    corner,
+    rest,
+    hit,
+    grab,
+    release,
+    tilt,
+    sensor,
+    handover,
+    takeover
 };
 
 struct Event {
     double time = 0;
     EventKind kind = EventKind::land;
     int ball = 0;
-    State state;        // just after
-    Contact contact;    // the surface touched
-    int other = -1;     // the other ball of a hit, the sensor of a sensor event
+    State state;      // just after
+    Contact contact;  // the surface touched
+    int other = -1;   // the other ball of a hit, the sensor of a sensor event
 };
 
 // How the world came where it is: legs by ball in order of time, the current one last, and events.

@@ -1,0 +1,128 @@
+#include "physics/leg.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/elementary.h"
+
+namespace physics {
+
+using geometry::Swing;
+
+namespace {
+
+State state_on(Straight const& m, double t) {
+    if (t == 0) return m.from;
+    return {m.from.position + t * m.rate, m.from.velocity, m.from.angle + t * m.angle_rate, m.from.spin};
+}
+
+State state_on(Ballistic const& m, double t) {
+    return {m.from.position + t * (m.from.velocity + (0.5 * t) * m.acceleration), m.from.velocity + t * m.acceleration,
+            m.from.angle + t * (m.from.spin + 0.5 * t * m.spin_rate), m.from.spin + t * m.spin_rate};
+}
+
+State state_on(SpringFlight const& m, double t) {
+    geometry::Basis const basis = geometry::basis_at(m.oscillator, t);
+    Vec2 const d = m.from.position - m.equilibrium;
+    Swing const x = swing_after(m.oscillator, basis, {d.x(), m.from.velocity.x()});
+    Swing const y = swing_after(m.oscillator, basis, {d.y(), m.from.velocity.y()});
+    return {m.equilibrium + Vec2(x.displacement, y.displacement), Vec2(x.rate, y.rate), m.from.angle + t * m.from.spin,
+            m.from.spin};
+}
+
+State state_on(LineSwing const& m, double t) {
+    geometry::Basis const basis = geometry::basis_at(m.oscillator, t);
+    Swing const q = swing_after(m.oscillator, basis, {m.displacement, m.speed});
+    double const way = q.displacement - m.displacement;
+    State state;
+    state.position = m.from.position + way * m.along;
+    state.velocity = q.rate * m.along;
+    if (m.rolling > 0) {
+        state.angle = m.from.angle - m.rolling * way;
+        state.spin = -m.rolling * q.rate;
+    } else {
+        state.angle = m.from.angle + t * (m.from.spin + 0.5 * t * m.spin_rate);
+        state.spin = m.from.spin + t * m.spin_rate;
+    }
+    return state;
+}
+
+struct Value {
+    double value = 0;
+    double rate = 0;
+};
+Value series_at(std::vector<double> const& series, double t) {
+    Value v;
+    for (std::size_t i = series.size(); i-- > 0;) {
+        v.rate = v.rate * t + v.value;
+        v.value = v.value * t + series[i];
+    }
+    return v;
+}
+
+State state_on(CircleRun const& m, double t) {
+    CircleSeries const& s = *m.series;
+    Value const phi = series_at(s.phi, t);
+    Value const angle = series_at(s.angle, t);
+    auto const [sine, cosine] = geometry::sine_cosine(phi.value);
+    return {s.centre + s.rho * Vec2(cosine, sine), (s.rho * phi.rate) * Vec2(-sine, cosine), angle.value, angle.rate};
+}
+
+// The largest |displacement| of a swing from `start` on, for all time.
+double envelope(geometry::Oscillator const& o, Swing const& start) {
+    double const slope = std::abs(start.rate + o.decay * start.displacement);
+    double const discriminant = o.decay * o.decay - o.stiffness;
+    if (discriminant < 0) return std::sqrt(start.displacement * start.displacement - slope * slope / discriminant);
+    // Overdamped: |y| <= |y0| + |slope| max(t e^(-slow t)), with `slow` the slower of the two rates.
+    double const slow = o.stiffness > 0 ? o.stiffness / (o.decay + std::sqrt(discriminant)) : 0;
+    double const bound = slow > 0 ? slope * geometry::exponential(-1) / slow : never;
+    return std::abs(start.displacement) + bound;
+}
+
+// The acceleration of a swing is a swing of the same oscillator.
+double swing_acceleration_bound(geometry::Oscillator const& o, Swing const& start) {
+    double const acceleration = -2 * o.decay * start.rate - o.stiffness * start.displacement;
+    double const jerk = -2 * o.decay * acceleration - o.stiffness * start.rate;
+    return envelope(o, {acceleration, jerk});
+}
+
+struct AccelerationBound {
+    double from, to;  // s since the leg began
+
+    double operator()(Straight const&) const { return 0; }
+    double operator()(Ballistic const& m) const { return geometry::length(m.acceleration); }
+    double operator()(SpringFlight const& m) const {
+        State const start = state_on(m, from);
+        Vec2 const d = start.position - m.equilibrium;
+        double const x = swing_acceleration_bound(m.oscillator, {d.x(), start.velocity.x()});
+        double const y = swing_acceleration_bound(m.oscillator, {d.y(), start.velocity.y()});
+        return std::sqrt(x * x + y * y);
+    }
+    double operator()(LineSwing const& m) const {
+        geometry::Basis const basis = geometry::basis_at(m.oscillator, from);
+        return swing_acceleration_bound(m.oscillator, swing_after(m.oscillator, basis, {m.displacement, m.speed}));
+    }
+    double operator()(CircleRun const& m) const {
+        std::vector<double> const& phi = m.series->phi;
+        double const t = std::max(std::abs(from), std::abs(to));
+        double rate = 0, acceleration = 0;
+        for (std::size_t i = phi.size(); i-- > 1;) {
+            double const order = static_cast<double>(i);
+            rate = rate * t + order * std::abs(phi[i]);
+            if (i > 1) acceleration = acceleration * t + order * (order - 1) * std::abs(phi[i]);
+        }
+        return m.series->rho * std::sqrt(acceleration * acceleration + rate * rate * rate * rate);
+    }
+};
+
+}  // namespace
+
+State at(Leg const& leg, double t) {
+    return std::visit([&](auto const& motion) { return state_on(motion, t - leg.since); }, leg.motion);
+}
+
+double acceleration_bound(Leg const& leg, double from, double to) {
+    return std::visit(AccelerationBound{from - leg.since, to - leg.since}, leg.motion);
+}
+
+}  // namespace physics

@@ -1,0 +1,51 @@
+#include "physics/method.h"
+
+#include <cmath>
+
+#include "physics/article.h"
+#include "physics/sense.h"
+#include "physics/steps.h"
+
+namespace physics {
+
+char const* name_of(Method const& method) {
+    struct Names {
+        char const* operator()(Article const&) const { return "article"; }
+        char const* operator()(Steps const&) const { return "steps"; }
+    };
+    return std::visit(Names{}, method);
+}
+
+World world_at_start(Method const&, Scene const& scene, History& history) {
+    World world;
+    history = {};
+    for (Ball const& ball : scene.balls) {
+        Leg leg;
+        leg.motion = Straight{ball.start, ball.start.velocity, ball.start.spin};
+        world.legs.push_back(leg);
+        history.legs.push_back({leg});
+    }
+    world.noticed = nothing_noticed(scene);
+    sense(scene, world, 0, 0, history);
+    return world;
+}
+
+std::optional<Fault> advance(Method const& method, Scene const& scene, World& world, double until, History& history) {
+    if (!std::isfinite(until)) return Fault{"the time to advance to is not finite"};
+    double const from = world.time;
+    if (until <= from) return std::nullopt;
+    std::visit([&](auto const& m) { advance_with(m, scene, world, until, history); }, method);
+    sense(scene, world, from, world.time, history);
+    return std::nullopt;
+}
+
+std::optional<Fault> apply(Method const&, Scene const& scene, World& world, Forces const& forces, History&) {
+    if (!std::isfinite(forces.tilt)) return Fault{"the tilt is not finite"};
+    if (forces.pull && !geometry::is_finite(forces.pull->target)) return Fault{"the target of the pull is not finite"};
+    if (forces.pull && (forces.pull->ball < 0 || forces.pull->ball >= static_cast<int>(scene.balls.size())))
+        return Fault{"there is no ball " + std::to_string(forces.pull->ball)};
+    world.forces = forces;
+    return std::nullopt;
+}
+
+}  // namespace physics
