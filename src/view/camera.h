@@ -1,0 +1,44 @@
+// The camera: metres <-> pixels, and where it looks as a function of time and of the ball's path alone.
+#pragma once
+
+#include "level/level.h"
+#include "physics/world.h"
+
+namespace view {
+
+using geometry::Vec2;
+
+struct Camera {
+    Vec2 centre = Vec2::Zero();     // m, the point of the world in the middle of the picture
+    double scale = 80;              // pixels per metre
+    Vec2 size = Vec2(1280, 720);    // pixels
+};
+
+Vec2 pixel_of(Camera const& camera, Vec2 const& world);
+Vec2 world_of(Camera const& camera, Vec2 const& pixel);
+
+// What of the world is seen, m.
+geometry::Box sight_of(Camera const& camera);
+
+// What the player has turned the wheel to; the default shows what pictures without a window show.
+struct Lens {
+    double zoom = 1;
+    Vec2 pan = Vec2::Zero();  // m, added to where the camera would look
+};
+inline constexpr double least_zoom = 0.5, greatest_zoom = 8;
+
+// How much of the past, in seconds, a history must still know for camera_at and moment_at to answer.
+inline constexpr double camera_memory = 2.5;
+
+// A level of at most this size is shown whole (formats.md section 1); of a larger one this much is shown.
+inline constexpr double whole_width = 16, whole_height = 9;  // m
+
+// The same time gives the same camera, whatever was drawn before: it looks at a weighted mean of the player's path.
+Camera camera_at(level::Level const& level, physics::History const& history, double time, Vec2 const& size,
+                 Lens const& lens = {});
+
+// The lens after turning the wheel by `notches` (away from the player is positive) over `pixel`: the point of the
+// world under the pointer stays there as far as the level's edges allow.
+Lens zoomed(Lens const& lens, Camera const& camera, Vec2 const& pixel, double notches);
+
+}  // namespace view

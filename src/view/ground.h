@@ -1,0 +1,39 @@
+// The ground as people see it: earth with a lit, grassy edge wherever the terrain faces up. In metres, for any camera.
+#pragma once
+
+#include <vector>
+
+#include "level/level.h"
+#include "view/camera.h"
+#include "view/picture.h"
+
+namespace view {
+
+enum class Cover { earth, shade, rim, turf, lit };
+
+struct Patch {  // filled by the even-odd rule
+    std::vector<std::vector<Vec2>> rings;  // m
+    geometry::Box box;
+    Cover cover = Cover::earth;
+};
+
+struct Tuft {  // blades of grass, now and then a flower
+    Vec2 root = Vec2::Zero();  // m
+    Vec2 up = Vec2::UnitY();
+    double height = 0.1;  // m
+    int kind = 0;
+};
+
+struct Ground {
+    std::vector<Patch> patches;  // in the order of painting
+    std::vector<Tuft> tufts;
+};
+
+Ground ground_of(level::Level const& level);
+
+std::vector<Shape> ground_shapes(Ground const& ground, Camera const& camera);
+
+// Points along an outline no further from it than half a millimetre and no further apart than `spacing`, m.
+std::vector<Vec2> points_along(level::Outline const& outline, double spacing);
+
+}  // namespace view

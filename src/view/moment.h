@@ -1,0 +1,39 @@
+// A moment: everything that a picture shows of one time, read from a history and completed by the game.
+#pragma once
+
+#include <vector>
+
+#include "game/game.h"
+#include "physics/world.h"
+#include "view/camera.h"
+
+namespace view {
+
+// Over how long accelerations are measured for the overlay of forces.
+inline constexpr double force_interval = 1.0 / 60;  // s
+// How long a chart of energies looks back, and how often.
+inline constexpr double chart_length = 2;         // s
+inline constexpr double chart_spacing = 1.0 / 30;  // s
+static_assert(chart_length + chart_spacing <= camera_memory);
+
+struct Moment {
+    double time = 0;
+    std::vector<physics::State> balls;
+    std::vector<physics::State> before;  // the balls force_interval earlier
+    std::vector<physics::Phase> phases;
+    std::vector<physics::Contact> contacts;
+    std::vector<std::vector<physics::State>> recent;  // the last chart_length, oldest first, by time and ball
+
+    // For the game to complete.
+    physics::Forces forces;          // that act at this time
+    std::vector<double> noticed_at;  // s, by sensor: when it first fired; never, or missing, = it has not
+    game::Status status;
+};
+
+Moment moment_at(level::Level const& level, physics::History const& history, double time);
+
+inline bool has_fired(Moment const& moment, std::size_t sensor) {
+    return sensor < moment.noticed_at.size() && moment.noticed_at[sensor] <= moment.time;
+}
+
+}  // namespace view

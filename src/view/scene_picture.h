@@ -1,0 +1,29 @@
+// What a level looks like at one moment: the whole picture, as data.
+#pragma once
+
+#include <string>
+
+#include "view/camera.h"
+#include "view/ground.h"
+#include "view/moment.h"
+#include "view/overlay.h"
+#include "view/picture.h"
+
+namespace view {
+
+// A level made ready for pictures: what its look needs and no camera changes is found once.
+struct Stage {
+    level::Level level;
+    Ground ground;
+};
+Stage stage_of(level::Level level);
+
+struct Dressing {
+    Overlays overlays;
+    std::string hint;  // under the message at the end of a game, such as which key goes on
+};
+
+// The same arguments give the same picture, shape by shape.
+Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camera, Dressing const& dressing = {});
+
+}  // namespace view
