@@ -1,0 +1,173 @@
+#include "geometry/polynomial.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace geometry {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Share of t within which an extremum is placed: the value there errs by its square, which is below rounding.
+constexpr double extremum_share = 1e-9;
+// Share of t within which the event itself is placed.
+constexpr double event_share = 2.5e-16;
+// Newton's steps before bisection alone would have ended; reached only by rounding noise around a grazing root.
+constexpr int most_refinements = 200;
+
+// Where a polynomial changes sign in (0, until), in order, and its sign just after 0 (0 for the zero polynomial).
+struct SignChanges {
+    int count = 0;
+    int sign = 0;
+    std::array<double, most_coefficients> at;
+
+    void add(double t) { at[count++] = t; }
+};
+
+int sign_of(double x) { return (x > 0) - (x < 0); }
+
+struct Slope {
+    double value = 0;
+    double rate = 0;
+};
+
+Slope slope_at(std::span<double const> p, double t) {
+    Slope slope;
+    for (auto c = p.rbegin(); c != p.rend(); ++c) {
+        slope.rate = slope.rate * t + slope.value;
+        slope.value = slope.value * t + *c;
+    }
+    return slope;
+}
+
+struct Bracket {
+    double low = 0;
+    double high = 0;
+    double low_value = 0;
+    double high_value = 0;
+    int low_sign = 0;  // the sign just after `low`, even where the value at `low` is zero
+};
+
+// Newton's method kept inside the bracket, bisection where it would leave it or does not halve its step.
+double root_in(std::span<double const> p, Bracket bracket, double share) {
+    double width = bracket.high - bracket.low;
+    double const secant = bracket.low + width * (bracket.low_value / (bracket.low_value - bracket.high_value));
+    double t = secant > bracket.low && secant < bracket.high ? secant : bracket.low + 0.5 * width;
+    double last_step = width;
+    for (int i = 0; i < most_refinements; ++i) {
+        Slope const slope = slope_at(p, t);
+        if (slope.value == 0) return t;
+        (sign_of(slope.value) == bracket.low_sign ? bracket.low : bracket.high) = t;
+        double step = slope.value / slope.rate;
+        double next = t - step;
+        if (!(next > bracket.low && next < bracket.high && 2 * std::abs(step) <= last_step)) {
+            if (std::abs(step) <= share * t) return t;
+            next = bracket.low + 0.5 * (bracket.high - bracket.low);
+            step = next - t;
+        }
+        if (std::abs(step) <= share * next) return next;
+        last_step = std::abs(step);
+        t = next;
+    }
+    return t;
+}
+
+// Whether the terms against the lowest one cannot outweigh it anywhere in (0, until]: no root, no sign change.
+bool keeps_sign(std::span<double const> p, double until) {
+    int const sign = sign_of(p[0]);
+    double power = 1;
+    double against = 0;
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        power *= until;
+        if (sign_of(p[i]) * sign < 0) against += std::abs(p[i]) * power;
+    }
+    return against < std::abs(p[0]);
+}
+
+std::span<double const> without_leading_zeros(std::span<double const> p) {
+    while (!p.empty() && p.back() == 0) p = p.first(p.size() - 1);
+    return p;
+}
+
+std::span<double const> derivative_of(std::span<double const> p, std::array<double, most_coefficients>& room) {
+    for (std::size_t i = 1; i < p.size(); ++i) room[i - 1] = static_cast<double>(i) * p[i];
+    return std::span<double const>(room).first(p.size() - 1);
+}
+
+// The end of the last monotone stretch, if it is endless: any time by which the polynomial has its final sign.
+double settled_after(std::span<double const> p, double from) {
+    int const final_sign = sign_of(p.back());
+    double t = from > 0 ? 2 * from : 1.0;
+    while (t < 1e300 && sign_of(value_at(p, t)) != final_sign) t *= 8;
+    return t;
+}
+
+void add_quadratic_sign_changes(std::span<double const> p, double until, SignChanges& changes) {
+    double const c2 = p.size() > 2 ? p[2] : 0;
+    double const discriminant = p[1] * p[1] - 4 * c2 * p[0];
+    if (!(discriminant > 0)) return;
+    double const q = -0.5 * (p[1] + (p[1] < 0 ? -std::sqrt(discriminant) : std::sqrt(discriminant)));
+    double const one = p[0] / q;
+    double const other = c2 == 0 ? infinity : q / c2;
+    for (double const t : {std::min(one, other), std::max(one, other)})
+        if (t > 0 && t < until) changes.add(t);
+}
+
+SignChanges sign_changes(std::span<double const> p, double until) {
+    SignChanges changes;
+    p = without_leading_zeros(p);
+    while (!p.empty() && p.front() == 0) p = p.subspan(1);  // a root at 0 itself changes no sign after it
+    if (p.empty()) return changes;
+    changes.sign = sign_of(p.front());
+    if (p.size() == 1 || keeps_sign(p, until)) return changes;
+    if (p.size() <= 3) {
+        add_quadratic_sign_changes(p, until, changes);
+        return changes;
+    }
+    std::array<double, most_coefficients> room;
+    SignChanges const turns = sign_changes(derivative_of(p, room), until);
+    Bracket bracket{0, 0, p.front(), 0, changes.sign};
+    for (int i = 0; i <= turns.count; ++i) {
+        bracket.high = i < turns.count ? turns.at[i] : until;
+        if (bracket.high == infinity) bracket.high = settled_after(p, bracket.low);
+        bracket.high_value = value_at(p, bracket.high);
+        bool const crosses = sign_of(bracket.high_value) * bracket.low_sign < 0;
+        if (crosses) changes.add(root_in(p, bracket, extremum_share));
+        bracket = {bracket.high, 0, bracket.high_value, 0, crosses ? -bracket.low_sign : bracket.low_sign};
+    }
+    return changes;
+}
+
+}  // namespace
+
+std::optional<double> first_fall(std::span<double const> gap, double until) {
+    assert(gap.size() <= most_coefficients);
+    gap = without_leading_zeros(gap);
+    if (gap.size() < 2 || !(until >= 0)) return std::nullopt;
+    if (gap.size() <= 3) return first_quadratic_fall(gap[0], gap[1], gap.size() > 2 ? gap[2] : 0, until);
+    if (gap[0] > 0 && keeps_sign(gap, until)) return std::nullopt;
+    std::array<double, most_coefficients> room;
+    SignChanges const turns = sign_changes(derivative_of(gap, room), until);
+    bool closing = turns.sign < 0;
+    Bracket bracket{0, 0, gap[0], 0, 1};
+    for (int i = 0; i <= turns.count; ++i) {
+        if (closing && !(bracket.low_value > 0)) return bracket.low;
+        bracket.high = i < turns.count ? turns.at[i] : until;
+        if (bracket.high == infinity) bracket.high = settled_after(gap, bracket.low);
+        bracket.high_value = value_at(gap, bracket.high);
+        if (closing && bracket.high_value < 0) return root_in(gap, bracket, event_share);
+        closing = !closing;
+        bracket = {bracket.high, 0, bracket.high_value, 0, 1};
+    }
+    return std::nullopt;
+}
+
+std::optional<double> first_rise(std::span<double const> gap, double until) {
+    assert(gap.size() <= most_coefficients);
+    std::array<double, most_coefficients> room;
+    for (std::size_t i = 0; i < gap.size(); ++i) room[i] = -gap[i];
+    return first_fall(std::span<double const>(room).first(gap.size()), until);
+}
+
+}  // namespace geometry
