@@ -51,7 +51,7 @@ struct Value {
     double value = 0;
     double rate = 0;
 };
-Value series_at(std::vector<double> const& series, double t) {
+Value series_at(Series const& series, double t) {
     Value v;
     for (std::size_t i = series.size(); i-- > 0;) {
         v.rate = v.rate * t + v.value;
@@ -103,7 +103,7 @@ struct AccelerationBound {
         return swing_acceleration_bound(m.oscillator, swing_after(m.oscillator, basis, {m.displacement, m.speed}));
     }
     double operator()(CircleRun const& m) const {
-        std::vector<double> const& phi = m.series->phi;
+        Series const& phi = m.series->phi;
         double const t = std::max(std::abs(from), std::abs(to));
         double rate = 0, acceleration = 0;
         for (std::size_t i = phi.size(); i-- > 1;) {

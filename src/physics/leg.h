@@ -2,10 +2,10 @@
 // sampler.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <variant>
-#include <vector>
 
 #include "geometry/oscillator.h"
 #include "physics/ball.h"

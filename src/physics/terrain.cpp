@@ -15,6 +15,7 @@ using geometry::Segment;
 namespace {
 
 constexpr double exposed_slack = 1e-12;       // rounding of a unit vector's scalar product
+constexpr double flat_cone = 1e-10;           // rad, cones narrower than this are rounding of a flat joint
 constexpr double whole_circle_slack = 1e-12;  // rad
 
 bool is_whole_circle(geometry::Curve const& curve) {
@@ -62,21 +63,20 @@ void sort_spokes(Vertex& vertex) {
                      [](Spoke const& a, Spoke const& b) { return angle_of(a.direction) < angle_of(b.direction); });
 }
 
-// The directions that a vertex exposes, clockwise from `high` to `low`; empty when width <= 0.
-struct Cone {
-    double high = 0;   // rad
-    double width = 0;  // rad
-};
-Cone exposed_cone(Vertex const& vertex) {
-    Cone widest{0, -pi};
+// The widest gap between neighbouring spokes, less a quarter turn at each side, is what the vertex exposes.
+void set_cone(Vertex& vertex) {
+    double widest = 0;
     auto const count = vertex.spokes.size();
     for (std::size_t i = 0; i < count; ++i) {
         double const from = angle_of(vertex.spokes[i].direction);
         double to = angle_of(vertex.spokes[(i + 1) % count].direction);
         if (i + 1 == count) to += 2 * pi;
-        if (to - from - pi > widest.width) widest = {to - pi / 2, to - from - pi};
+        if (to - from - pi > widest) {
+            widest = to - from - pi;
+            vertex.cone_high = to - pi / 2;
+        }
     }
-    return widest;
+    vertex.cone_width = widest > flat_cone ? widest : 0;
 }
 
 Track line_track(Segment const& segment, int side, double radius) {
@@ -108,9 +108,8 @@ Track vertex_track(Vertex const& vertex, double radius) {
     track.straight = false;
     track.origin = vertex.point;
     track.rho = radius;
-    Cone const cone = exposed_cone(vertex);
-    track.phi0 = cone.high;
-    track.length = std::max(0.0, cone.width) * radius;
+    track.phi0 = vertex.cone_high;
+    track.length = vertex.cone_width * radius;
     return track;
 }
 
@@ -135,7 +134,10 @@ Terrain terrain_of(std::vector<Piece> pieces) {
         terrain.vertices[terrain.start_vertex[i]].spokes.push_back({i, true, geometry::tangent_at_start(curve)});
         terrain.vertices[terrain.end_vertex[i]].spokes.push_back({i, false, -geometry::tangent_at_end(curve)});
     }
-    for (Vertex& vertex : terrain.vertices) sort_spokes(vertex);
+    for (Vertex& vertex : terrain.vertices) {
+        sort_spokes(vertex);
+        set_cone(vertex);
+    }
     terrain.tree = geometry::BoxTree(boxes);
     return terrain;
 }
@@ -156,6 +158,7 @@ Material const& material_of(Terrain const& terrain, int feature) {
 int surface_of(Terrain const& terrain, int feature) { return terrain.pieces[first_piece_of(terrain, feature)].surface; }
 
 bool exposes(Vertex const& vertex, Vec2 const& normal) {
+    if (vertex.cone_width == 0) return false;
     for (Spoke const& spoke : vertex.spokes)
         if (geometry::dot(normal, spoke.direction) > exposed_slack) return false;
     return true;

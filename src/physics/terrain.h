@@ -34,6 +34,8 @@ struct Spoke {
 struct Vertex {
     Vec2 point = Vec2::Zero();
     std::vector<Spoke> spokes;  // counter-clockwise by direction
+    double cone_high = 0;       // rad: exposed directions run clockwise from here,
+    double cone_width = 0;      // rad: this far; 0 on flat and concave joints
 };
 
 // Features are counted pieces first, then vertices.
