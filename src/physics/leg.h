@@ -49,11 +49,13 @@ struct LineSwing {
 };
 
 // Round a circular track: the polar angle, and the ball's own angle, as power series in the time since the leg began.
+inline constexpr int series_order = 18;  // physics.md 2.9
+using Series = std::array<double, series_order + 1>;
 struct CircleSeries {
     Vec2 centre = Vec2::Zero();
-    double rho = 0;             // m
-    std::vector<double> phi;    // rad, rad/s, ...: the polar angle's coefficients
-    std::vector<double> angle;  // the ball's angle
+    double rho = 0;  // m
+    Series phi{};    // rad, rad/s, ...: the polar angle's coefficients
+    Series angle{};  // the ball's angle
 };
 struct CircleRun {
     std::shared_ptr<CircleSeries const> series;
