@@ -9,9 +9,9 @@ namespace view {
 using geometry::Vec2;
 
 struct Camera {
-    Vec2 centre = Vec2::Zero();     // m, the point of the world in the middle of the picture
-    double scale = 80;              // pixels per metre
-    Vec2 size = Vec2(1280, 720);    // pixels
+    Vec2 centre = Vec2::Zero();   // m, the point of the world in the middle of the picture
+    double scale = 80;            // pixels per metre
+    Vec2 size = Vec2(1280, 720);  // pixels
 };
 
 Vec2 pixel_of(Camera const& camera, Vec2 const& world);

@@ -11,13 +11,13 @@ namespace view {
 
 enum class Cover { earth, shade, rim, turf, lit };
 
-struct Patch {  // filled by the even-odd rule
+struct Patch {                             // filled by the even-odd rule
     std::vector<std::vector<Vec2>> rings;  // m
     geometry::Box box;
     Cover cover = Cover::earth;
 };
 
-struct Tuft {  // blades of grass, now and then a flower
+struct Tuft {                  // blades of grass, now and then a flower
     Vec2 root = Vec2::Zero();  // m
     Vec2 up = Vec2::UnitY();
     double height = 0.1;  // m

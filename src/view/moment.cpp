@@ -5,7 +5,7 @@
 
 namespace view {
 
-Moment moment_at(level::Level const& level, physics::History const& history, double time) {
+Moment moment_at(level::Level const& level, physics::History const& history, double time, Recall recall) {
     Moment moment;
     moment.time = time;
     int const balls = static_cast<int>(level.scene.balls.size());
@@ -16,6 +16,7 @@ Moment moment_at(level::Level const& level, physics::History const& history, dou
         moment.phases.push_back(leg.phase);
         moment.contacts.push_back(leg.contact);
     }
+    if (recall == Recall::nothing) return moment;
     // At whole multiples of the spacing, so that the chart slides and does not shimmer.
     double const newest = std::floor(time / chart_spacing);
     for (double i = newest - std::floor(chart_length / chart_spacing); i <= newest; ++i) {

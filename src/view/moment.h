@@ -12,7 +12,7 @@ namespace view {
 // Over how long accelerations are measured for the overlay of forces.
 inline constexpr double force_interval = 1.0 / 60;  // s
 // How long a chart of energies looks back, and how often.
-inline constexpr double chart_length = 2;         // s
+inline constexpr double chart_length = 2;          // s
 inline constexpr double chart_spacing = 1.0 / 30;  // s
 static_assert(chart_length + chart_spacing <= camera_memory);
 
@@ -30,7 +30,9 @@ struct Moment {
     game::Status status;
 };
 
-Moment moment_at(level::Level const& level, physics::History const& history, double time);
+enum class Recall { nothing, chart };  // whether `recent` is filled: only the overlay of energy shows it
+Moment moment_at(level::Level const& level, physics::History const& history, double time,
+                 Recall recall = Recall::nothing);
 
 inline bool has_fired(Moment const& moment, std::size_t sensor) {
     return sensor < moment.noticed_at.size() && moment.noticed_at[sensor] <= moment.time;

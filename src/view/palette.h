@@ -37,8 +37,8 @@ inline constexpr Colour gold = colour(0xffc928), gold_deep = colour(0xd98a12), b
 inline constexpr Colour banana_shade = colour(0xeab11f), banana_tip = colour(0x6b4a1c);
 inline constexpr Colour shadow = colour(0x1a120c, 0.5f);
 inline constexpr Colour steel = colour(0xf3f6f8), steel_back = colour(0x7b8b98), strain = colour(0xff7a3c);
-inline constexpr Colour red = colour(0xe8452f), blue = colour(0x2f7de1), green = colour(0x2fae5a), violet = colour(0x9b4fd8),
-                        orange = colour(0xf39a1e);
+inline constexpr Colour red = colour(0xe8452f), blue = colour(0x2f7de1), green = colour(0x2fae5a),
+                        violet = colour(0x9b4fd8), orange = colour(0xf39a1e);
 
 }  // namespace palette
 

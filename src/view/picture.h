@@ -49,10 +49,10 @@ struct ArcStroke {
 // How an area is filled: a gradient between two heights on the screen, and a grain that is fixed to the world.
 struct Paint {
     Colour top, bottom;
-    double top_y = 0, bottom_y = 1;            // pixels
-    double grain = 0;                          // 0 smooth to 1 strong
-    Vec2 grain_origin = Vec2::Zero();          // pixel at which the world's origin lies
-    double grain_scale = 1;                    // pixels per metre
+    double top_y = 0, bottom_y = 1;    // pixels
+    double grain = 0;                  // 0 smooth to 1 strong
+    Vec2 grain_origin = Vec2::Zero();  // pixel at which the world's origin lies
+    double grain_scale = 1;            // pixels per metre
 };
 
 // Rings are closed polylines, filled by the even-odd rule.
@@ -65,8 +65,8 @@ struct Area {
 struct Shell {
     Vec2 centre = Vec2::Zero();
     double radius = 0;
-    double angle = 0;       // rad
-    int livery = 0;         // which pair of colours, 0 = the player's
+    double angle = 0;           // rad
+    int livery = 0;             // which pair of colours, 0 = the player's
     Vec2 light = {-0.5, -0.8};  // towards the light, on the screen
 };
 
@@ -91,9 +91,9 @@ using Shape = std::variant<Sky, Area, Disc, Stroke, ArcStroke, Shell, Panel, Lab
 
 struct Picture {
     int width = 1280, height = 720;
-    std::vector<Shape> backdrop;    // what stays the same while the camera rests: may be kept by the painter
+    std::vector<Shape> backdrop;          // what stays the same while the camera rests: may be kept by the painter
     unsigned long long backdrop_key = 0;  // equal keys promise equal backdrops of equal size; 0 = do not keep
-    std::vector<Shape> shapes;      // painted over the backdrop, in order
+    std::vector<Shape> shapes;            // painted over the backdrop, in order
 };
 
 }  // namespace view

@@ -1,0 +1,168 @@
+#include "view/actors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/palette.h"
+
+namespace view {
+
+namespace {
+
+struct Ground {
+    geometry::Nearest nearest;
+    bool found = false;
+};
+
+Ground ground_near(physics::Terrain const& terrain, Vec2 const& centre, double reach) {
+    Ground ground;
+    terrain.tree.each_overlapping(geometry::grown({centre, centre}, reach), [&](int piece) {
+        geometry::Nearest const nearest =
+            geometry::nearest_point(terrain.pieces[static_cast<std::size_t>(piece)].curve, centre);
+        if (nearest.distance <= reach && (!ground.found || nearest.distance < ground.nearest.distance))
+            ground = {nearest, true};
+    });
+    return ground;
+}
+
+bool in_sight(Camera const& camera, Vec2 const& centre, double radius) {
+    return geometry::overlap(sight_of(camera), geometry::grown({centre, centre}, radius));
+}
+
+// A soft flat spot on the ground under the ball, smaller and fainter the higher it is.
+void add_shadow(std::vector<Shape>& shapes, physics::Terrain const& terrain, Vec2 const& centre, double radius,
+                Camera const& camera) {
+    double constexpr reach = 3.5;  // radii
+    Ground const ground = ground_near(terrain, centre, reach * radius);
+    if (!ground.found || ground.nearest.distance < 1e-9) return;
+    Vec2 const normal = (centre - ground.nearest.point) / ground.nearest.distance;
+    double const height = std::max(0.0, ground.nearest.distance / radius - 1) / (reach - 1);
+    float const strength = static_cast<float>((1 - height) * (1 - height));
+    Vec2 const along = geometry::turned_right(normal);
+    double const thickness = 0.1 * radius;
+    Vec2 const middle = ground.nearest.point - 0.75 * thickness * normal;
+    for (int layer = 0; layer < 4; ++layer) {
+        double const half = radius * (0.78 - 0.3 * height) * (1 - 0.2 * layer);
+        Vec2 const from = pixel_of(camera, middle - half * along), to = pixel_of(camera, middle + half * along);
+        double const width = thickness * (1.5 - 0.25 * layer) * camera.scale;
+        shapes.emplace_back(Stroke{from, to, width, faded(palette::shadow, 0.32f * strength)});
+    }
+    Vec2 const spot = pixel_of(camera, ground.nearest.point - 0.05 * radius * normal);
+    double const soft = 0.42 * radius * camera.scale;
+    shapes.emplace_back(Disc{spot, soft, faded(palette::shadow, 0.9f * strength), {}, 0, soft});
+}
+
+std::vector<Vec2> crescent(double outer_bend, double inner_bend) {
+    // Two arcs through the same tips (-1, 0) and (1, 0); a bend is the depth of the arc at its middle.
+    std::vector<Vec2> points;
+    int constexpr pieces = 20;
+    auto const bow = [](double x, double bend) { return -bend * std::sqrt(std::max(0.0, 1 - x * x)); };
+    for (int i = 0; i <= pieces; ++i) {
+        double const x = -std::cos(3.14159265 * i / pieces);
+        points.push_back({x, bow(x, outer_bend)});
+    }
+    for (int i = pieces - 1; i > 0; --i) {
+        double const x = -std::cos(3.14159265 * i / pieces);
+        points.push_back({x, bow(x, inner_bend)});
+    }
+    return points;
+}
+
+struct Placing {
+    Vec2 middle = Vec2::Zero();  // pixels
+    double size = 1;             // pixels
+    double angle = 0;            // rad, on the screen
+};
+
+Vec2 placed(Placing const& placing, Vec2 const& point) {
+    double const cosine = std::cos(placing.angle), sine = std::sin(placing.angle);
+    return placing.middle + placing.size * geometry::turned(Vec2(point.x(), -point.y()), cosine, sine);
+}
+
+void add_crescent(std::vector<Shape>& shapes, Placing const& placing, double outer, double inner, Colour const& paint) {
+    Area area;
+    std::vector<Vec2>& ring = area.rings.emplace_back();
+    for (Vec2 const& point : crescent(outer, inner)) ring.push_back(placed(placing, point + Vec2(0, 0.35)));
+    area.paint.top = area.paint.bottom = paint;
+    shapes.emplace_back(std::move(area));
+}
+
+void add_banana(std::vector<Shape>& shapes, Placing const& placing, float presence) {
+    shapes.emplace_back(
+        Disc{placing.middle, 1.15 * placing.size, faded(colour(0xfff3a0, 0.55f), presence), {}, 0, placing.size});
+    double const edge = 0.09;
+    for (Vec2 const& tip : {Vec2(-1, 0.38), Vec2(1, 0.38)})
+        shapes.emplace_back(
+            Disc{placed(placing, tip), 0.13 * placing.size, faded(palette::banana_tip, presence), {}, 0, 0});
+    add_crescent(shapes, placing, 1.02 + edge, 0.36 - edge, faded(palette::banana_tip, presence));
+    add_crescent(shapes, placing, 1.02, 0.36, faded(palette::banana_shade, presence));
+    add_crescent(shapes, placing, 0.86, 0.36, faded(palette::banana, presence));
+    add_crescent(shapes, placing, 0.62, 0.5, faded(colour(0xfff7b8), presence));
+}
+
+// Picked up: a ring of light that opens and is gone.
+void add_spark(std::vector<Shape>& shapes, Vec2 const& at, double size, double age) {
+    double constexpr lasting = 0.45;  // s
+    if (age >= lasting) return;
+    double const share = age / lasting;
+    float const left = static_cast<float>(1 - share);
+    shapes.emplace_back(
+        ArcStroke{at, size * (0.8 + 1.4 * share), 0, 2 * 3.14159265, 0.22 * size * left, faded(palette::gold, left)});
+    for (int i = 0; i < 8; ++i) {
+        Vec2 const way(std::cos(i * 0.7854 + 0.3), std::sin(i * 0.7854 + 0.3));
+        Vec2 const from = at + way * size * (0.9 + 1.5 * share);
+        shapes.emplace_back(Stroke{from, from + way * size * 0.35 * left, 0.12 * size, faded(palette::bright, left)});
+    }
+    shapes.emplace_back(
+        Label{at - Vec2(0, size * (0.6 + 1.6 * share)), 1.1 * size, "+1", faded(palette::ink, left), Anchor::Centre});
+}
+
+}  // namespace
+
+std::vector<Shape> banana_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
+    std::vector<Shape> shapes;
+    for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
+        auto const* disc = std::get_if<physics::DiscRegion>(&level.scene.sensors[i].region);
+        if (level.meanings[i] != level::Meaning::banana || !disc) continue;
+        if (!in_sight(camera, disc->centre, 4 * disc->radius)) continue;
+        double const size = disc->radius * camera.scale;
+        double const phase = 2.4 * moment.time + 1.7 * static_cast<double>(i);
+        Vec2 const bob(0, -0.12 * size * std::sin(phase));
+        Vec2 const at = pixel_of(camera, disc->centre) + bob;
+        if (has_fired(moment, i))
+            add_spark(shapes, at, size, moment.time - moment.noticed_at[i]);
+        else
+            add_banana(shapes, {at, 0.95 * size, -0.45 + 0.16 * std::sin(0.8 * phase)}, 1);
+    }
+    return shapes;
+}
+
+std::vector<Shape> shadow_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
+    std::vector<Shape> shapes;
+    for (std::size_t i = 0; i < moment.balls.size(); ++i) {
+        double const radius = level.scene.balls[i].radius;
+        if (in_sight(camera, moment.balls[i].position, 4 * radius))
+            add_shadow(shapes, level.scene.terrain, moment.balls[i].position, radius, camera);
+    }
+    return shapes;
+}
+
+std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
+    std::vector<Shape> shapes;
+    int livery = 0;
+    for (std::size_t i = 0; i < moment.balls.size(); ++i) {
+        bool const player = static_cast<int>(i) == level.player;
+        if (!player) ++livery;
+        double const radius = level.scene.balls[i].radius;
+        if (!in_sight(camera, moment.balls[i].position, radius)) continue;
+        Shell shell;
+        shell.centre = pixel_of(camera, moment.balls[i].position);
+        shell.radius = radius * camera.scale;
+        shell.angle = moment.balls[i].angle;
+        shell.livery = player ? 0 : livery;
+        shapes.emplace_back(shell);
+    }
+    return shapes;
+}
+
+}  // namespace view

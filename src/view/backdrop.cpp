@@ -1,0 +1,174 @@
+#include "view/backdrop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "view/palette.h"
+
+namespace view {
+
+namespace {
+
+// Far things move less than the camera and grow less than the zoom.
+struct Distance {
+    double metre = 80;          // pixels
+    Vec2 shift = Vec2::Zero();  // m by which the camera has left the level's middle
+    Vec2 size = Vec2::Zero();   // pixels
+};
+
+Distance distance_of(level::Level const& level, Camera const& camera) {
+    double const natural = camera.size.y() / whole_height;
+    return {natural * std::pow(camera.scale / natural, 0.3), camera.centre - level.size / 2, camera.size};
+}
+
+struct Ridge {
+    double nearness = 0.1;  // 0 does not move, 1 moves with the ground
+    double height = 3;      // m above the lower edge of the picture
+    double swing = 0.6;     // m
+    double length = 5;      // m
+    double seed = 0;
+    Colour crest, foot;
+};
+
+double ridge_height(Ridge const& ridge, double x) {
+    double const u = x / ridge.length + ridge.seed;
+    return ridge.height + ridge.swing * (std::sin(u * 2.1) + 0.5 * std::sin(u * 4.7 + 1.3) + 0.22 * std::sin(u * 11.3));
+}
+
+Area ridge_area(Ridge const& ridge, Distance const& distance) {
+    Area area;
+    std::vector<Vec2>& ring = area.rings.emplace_back();
+    int constexpr pieces = 96;
+    double const drop = ridge.nearness * distance.shift.y();
+    double const margin = 4;  // pixels, so that the rim of the area stays out of sight
+    for (int i = 0; i <= pieces; ++i) {
+        double const x = -margin + (distance.size.x() + 2 * margin) * i / pieces;
+        double const metres = (x - distance.size.x() / 2) / distance.metre + ridge.nearness * distance.shift.x();
+        ring.push_back({x, distance.size.y() - (ridge_height(ridge, metres) - drop) * distance.metre});
+    }
+    ring.push_back({distance.size.x() + margin, distance.size.y() + margin});
+    ring.push_back({-margin, distance.size.y() + margin});
+    area.paint.top = ridge.crest;
+    area.paint.bottom = ridge.foot;
+    area.paint.top_y = distance.size.y() - (ridge.height + 2 * ridge.swing - drop) * distance.metre;
+    area.paint.bottom_y = distance.size.y() - (ridge.height - 2.2 - drop) * distance.metre;
+    return area;
+}
+
+void add_cloud(std::vector<Shape>& shapes, Vec2 const& at, double size) {
+    struct Puff {
+        double x, y, r;
+    };
+    Puff const puffs[] = {
+        {-1.25, 0.05, 0.42}, {-0.65, -0.28, 0.6}, {0.1, -0.45, 0.75}, {0.8, -0.2, 0.55}, {1.35, 0.08, 0.4}};
+    double const soft = 0.12 * size;
+    for (Puff const& puff : puffs)
+        shapes.emplace_back(
+            Disc{at + size * Vec2(puff.x, puff.y + 0.14), puff.r * size, palette::cloud_shade, {}, 0, soft});
+    for (Puff const& puff : puffs)
+        shapes.emplace_back(Disc{at + size * Vec2(puff.x, puff.y), puff.r * size, palette::cloud, {}, 0, soft});
+}
+
+void add_sky(std::vector<Shape>& shapes, Distance const& distance) {
+    shapes.emplace_back(Sky{palette::sky_top, palette::sky_bottom});
+    Vec2 const sun(distance.size.x() * 0.8, distance.size.y() * 0.17);
+    double const unit = distance.size.y() / 9;
+    shapes.emplace_back(Disc{sun, 2.4 * unit, palette::sun_glow, {}, 0, 2.2 * unit});
+    shapes.emplace_back(Disc{sun, 0.62 * unit, palette::sun, {}, 0, 0.06 * unit});
+    struct Place {
+        double x, y, size;
+    };
+    Place const places[] = {{2.5, 1.5, 0.62}, {7.2, 0.95, 0.42}, {10.4, 2.2, 0.5}, {15, 1.3, 0.55}, {18.6, 2.0, 0.66}};
+    double constexpr period = 21;  // m
+    for (Place const& place : places) {
+        double const drift = place.x - 0.06 * distance.shift.x() + 2.5;
+        double const x = drift - period * std::floor(drift / period) - 2.5;
+        double const y = place.y + 0.05 * distance.shift.y();
+        add_cloud(shapes, Vec2(x, y) * unit, place.size * unit);
+    }
+}
+
+void add_hills(std::vector<Shape>& shapes, Distance const& distance) {
+    Ridge const ridges[] = {{0.08, 3.9, 0.55, 4.2, 0.4, palette::far_hill, palette::far_foot},
+                            {0.16, 2.7, 0.5, 3.3, 2.9, palette::middle_hill, palette::middle_foot},
+                            {0.28, 1.5, 0.45, 2.8, 5.1, palette::near_hill, palette::near_foot}};
+    for (Ridge const& ridge : ridges) shapes.emplace_back(ridge_area(ridge, distance));
+}
+
+Colour css_colour(std::string const& text, double opacity) {
+    unsigned long const rgb = text.size() == 7 ? std::strtoul(text.c_str() + 1, nullptr, 16) : 0x808080;
+    return colour(static_cast<std::uint32_t>(rgb), static_cast<float>(opacity));
+}
+
+void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera const& camera, double width,
+              Colour const& paint) {
+    for (geometry::Curve const& curve : outline.curves) {
+        if (auto const* segment = std::get_if<geometry::Segment>(&curve)) {
+            Vec2 const from = pixel_of(camera, segment->start), to = pixel_of(camera, segment->end);
+            shapes.emplace_back(Stroke{from, to, width, paint});
+        } else {
+            auto const& arc = std::get<geometry::Arc>(curve);
+            Vec2 const centre = pixel_of(camera, arc.centre);
+            shapes.emplace_back(ArcStroke{centre, arc.radius * camera.scale, -arc.from, -arc.sweep, width, paint});
+        }
+    }
+}
+
+void add_decoration(std::vector<Shape>& shapes, level::Decoration const& decoration, Camera const& camera) {
+    if (decoration.fill) {
+        Area area;
+        area.paint.top = area.paint.bottom = css_colour(*decoration.fill, decoration.opacity);
+        for (level::Outline const& outline : decoration.outlines) {
+            std::vector<Vec2>& ring = area.rings.emplace_back();
+            for (Vec2 const& point : points_along(outline, 1e9)) ring.push_back(pixel_of(camera, point));
+        }
+        shapes.emplace_back(std::move(area));
+    }
+    if (!decoration.stroke || decoration.stroke_width <= 0) return;
+    Colour const paint = css_colour(*decoration.stroke, decoration.opacity);
+    for (level::Outline const& outline : decoration.outlines)
+        add_line(shapes, outline, camera, decoration.stroke_width * camera.scale, paint);
+}
+
+bool in_sight(level::Decoration const& decoration, geometry::Box const& sight) {
+    geometry::Box const seen = geometry::grown(sight, decoration.stroke_width);
+    for (level::Outline const& outline : decoration.outlines)
+        for (geometry::Curve const& curve : outline.curves)
+            if (geometry::overlap(geometry::box_of(curve), seen)) return true;
+    // A shape may surround all that is seen without a line of it in sight.
+    geometry::Box whole;
+    for (level::Outline const& outline : decoration.outlines)
+        for (geometry::Curve const& curve : outline.curves) whole = geometry::united(whole, geometry::box_of(curve));
+    return decoration.fill && geometry::overlap(whole, seen);
+}
+
+}  // namespace
+
+std::vector<Shape> backdrop_shapes(level::Level const& level, Ground const& ground, Camera const& camera) {
+    std::vector<Shape> shapes;
+    Distance const distance = distance_of(level, camera);
+    add_sky(shapes, distance);
+    add_hills(shapes, distance);
+    geometry::Box const sight = sight_of(camera);
+    for (level::Decoration const& decoration : level.decorations)
+        if (in_sight(decoration, sight)) add_decoration(shapes, decoration, camera);
+    for (Shape& shape : ground_shapes(ground, camera)) shapes.emplace_back(std::move(shape));
+    return shapes;
+}
+
+unsigned long long backdrop_key_of(level::Level const& level, Camera const& camera) {
+    unsigned long long hash = 14695981039346656037ull;  // FNV-1a
+    auto const add = [&](void const* bytes, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            hash = (hash ^ static_cast<unsigned char const*>(bytes)[i]) * 1099511628211ull;
+    };
+    add(level.hash.data(), level.hash.size());
+    add(level.file.data(), level.file.size());
+    double const numbers[] = {camera.centre.x(), camera.centre.y(), camera.scale, camera.size.x(), camera.size.y()};
+    add(numbers, sizeof numbers);
+    return hash == 0 ? 1 : hash;
+}
+
+}  // namespace view

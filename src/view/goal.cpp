@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+
+#include "view/actors.h"
+#include "view/palette.h"
+
+namespace view {
+
+namespace {
+
+constexpr double whole_turn = 2 * 3.14159265358979;
+
+struct Glow {
+    double time = 0;     // s
+    float strength = 1;  // brighter once it has been reached
+};
+
+// A band of small squares, black and white, from one point to another, hanging to the given side.
+void add_checks(std::vector<Shape>& shapes, Vec2 const& from, Vec2 const& to, Vec2 const& side, double time) {
+    double const length = geometry::length(to - from);
+    double const square = geometry::length(side) / 3;
+    int const columns = std::clamp(static_cast<int>(std::lround(length / std::max(square, 1.0))), 2, 60);
+    auto const corner = [&](int column, int row) -> Vec2 {
+        double const share = static_cast<double>(column) / columns;
+        double const ripple = 0.09 * std::sin(3 * time - 9 * share) * row;
+        return from + share * (to - from) + (row / 3.0 + ripple) * side;
+    };
+    Area cloth, checks;
+    for (int column = 0; column <= columns; ++column) {
+        if (column == 0) cloth.rings.emplace_back();
+        cloth.rings[0].push_back(corner(column, 0));
+    }
+    for (int column = columns; column >= 0; --column) cloth.rings[0].push_back(corner(column, 3));
+    for (int column = 0; column < columns; ++column)
+        for (int row = column % 2; row < 3; row += 2)
+            checks.rings.push_back(
+                {corner(column, row), corner(column + 1, row), corner(column + 1, row + 1), corner(column, row + 1)});
+    cloth.paint.top = cloth.paint.bottom = colour(0xffffff);
+    checks.paint.top = checks.paint.bottom = colour(0x25303a);
+    shapes.emplace_back(std::move(cloth));
+    shapes.emplace_back(std::move(checks));
+}
+
+void add_post(std::vector<Shape>& shapes, Vec2 const& foot, Vec2 const& head, double width) {
+    Vec2 const aside(0.22 * width, 0);
+    shapes.emplace_back(Stroke{foot, head, width, palette::gold_deep});
+    shapes.emplace_back(Stroke{foot - aside, head - aside, 0.4 * width, palette::gold});
+    shapes.emplace_back(Disc{head, 0.85 * width, palette::gold, palette::gold_deep, 0.2 * width, 0});
+}
+
+void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const& camera, Glow const& glow) {
+    Vec2 const low = pixel_of(camera, box.low), high = pixel_of(camera, box.high);
+    double const width = high.x() - low.x(), height = low.y() - high.y();
+    Area light;
+    light.rings = {{{low.x(), low.y()}, {high.x(), low.y()}, {high.x(), high.y()}, {low.x(), high.y()}}};
+    light.paint.top = faded(palette::gold, 0.08f * glow.strength);
+    light.paint.bottom = faded(palette::gold, 0.5f * glow.strength);
+    light.paint.top_y = high.y();
+    light.paint.bottom_y = low.y();
+    shapes.emplace_back(std::move(light));
+    // Lights that rise through the gate.
+    for (int i = 0; i < 7; ++i) {
+        double const rise = 0.35 * glow.time + 0.381966 * i;
+        double const share = rise - std::floor(rise);
+        double const x = low.x() + width * (0.12 + 0.76 * std::fmod(0.618034 * i, 1.0));
+        float const alpha = static_cast<float>(std::sin(3.14159265 * share)) * 0.8f;
+        double const radius = 0.05 * camera.scale;
+        shapes.emplace_back(Disc{{x, low.y() - share * height}, radius, colour(0xfff6c0, alpha), {}, 0, 0.8 * radius});
+    }
+    double const post = 0.11 * camera.scale;
+    double const cloth = std::min(0.36 * camera.scale, 0.4 * height);
+    add_checks(shapes, {low.x(), high.y()}, {high.x(), high.y()}, {0, cloth}, glow.time);
+    add_post(shapes, {low.x(), low.y()}, {low.x(), high.y()}, post);
+    add_post(shapes, {high.x(), low.y()}, {high.x(), high.y()}, post);
+}
+
+void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camera const& camera, Glow const& glow) {
+    Vec2 const centre = pixel_of(camera, disc.centre);
+    double const radius = disc.radius * camera.scale;
+    double const width = std::min(0.12 * camera.scale, 0.3 * radius);
+    shapes.emplace_back(Disc{centre, radius, faded(palette::gold, 0.4f * glow.strength), {}, 0, 0.6 * radius});
+    shapes.emplace_back(ArcStroke{centre, radius, 0, whole_turn, width, palette::gold_deep});
+    for (int i = 0; i < 8; ++i) {
+        double const from = i * whole_turn / 8 + 0.6 * glow.time;
+        shapes.emplace_back(ArcStroke{centre, radius, from, whole_turn / 16, 0.7 * width, colour(0xffffff)});
+    }
+    double const star = 0.34 * radius * (1 + 0.08 * std::sin(3 * glow.time));
+    Area area;
+    std::vector<Vec2>& ring = area.rings.emplace_back();
+    for (int i = 0; i < 10; ++i) {
+        double const angle = i * whole_turn / 10 - whole_turn / 4 + 0.15 * std::sin(1.3 * glow.time);
+        ring.push_back(centre + (i % 2 == 0 ? 1.0 : 0.45) * star * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    area.paint.top = area.paint.bottom = palette::gold;
+    shapes.emplace_back(std::move(area));
+}
+
+void add_finish(std::vector<Shape>& shapes, physics::LineRegion const& line, Camera const& camera, Glow const& glow) {
+    Vec2 from = pixel_of(camera, line.from), to = pixel_of(camera, line.to);
+    if (from.y() < to.y()) std::swap(from, to);  // `to` is the upper end
+    double const post = 0.1 * camera.scale;
+    shapes.emplace_back(Stroke{from, to, 3.5 * post, faded(palette::gold, 0.2f * glow.strength)});
+    Vec2 const way = to - from;
+    bool const upright = std::abs(way.y()) > std::abs(way.x());
+    if (!upright) {
+        add_checks(shapes, from, to, {0, 0.27 * camera.scale}, 0);
+        add_post(shapes, from, from - Vec2(0, 0.15 * camera.scale), post);
+        add_post(shapes, to, to - Vec2(0, 0.15 * camera.scale), post);
+        return;
+    }
+    double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * camera.scale, 0.6 * camera.scale);
+    add_checks(shapes, to, to + Vec2(1.5 * flag, 0), {0, flag}, glow.time);
+    add_post(shapes, from, to, post);
+}
+
+geometry::Box box_of_corners(std::vector<Vec2> const& corners) {
+    geometry::Box box;
+    for (Vec2 const& corner : corners) box = geometry::united(box, {corner, corner});
+    return box;
+}
+
+}  // namespace
+
+std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
+    std::vector<Shape> shapes;
+    for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
+        if (level.meanings[i] != level::Meaning::goal) continue;
+        Glow const glow{moment.time, has_fired(moment, i) ? 1.6f : 1.0f};
+        physics::Region const& region = level.scene.sensors[i].region;
+        if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) add_ring(shapes, *disc, camera, glow);
+        if (auto const* line = std::get_if<physics::LineRegion>(&region)) add_finish(shapes, *line, camera, glow);
+        if (auto const* gate = std::get_if<physics::PolygonRegion>(&region))
+            add_gate(shapes, box_of_corners(gate->corners), camera, glow);
+    }
+    return shapes;
+}
+
+}  // namespace view

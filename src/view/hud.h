@@ -1,0 +1,43 @@
+// What is written over the scene: clock, bananas, messages, help, the bubble that shows the tilt.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "level/level.h"
+#include "view/camera.h"
+#include "view/moment.h"
+#include "view/picture.h"
+
+namespace view {
+
+// The pixels that a pixel of a picture of 1280x720 becomes.
+double hud_scale(Vec2 const& size);
+
+std::vector<Shape> heading_shapes(level::Level const& level, Moment const& moment, Vec2 const& size);
+
+// The message at the end of a game and what falls from the sky; empty while the game goes on.
+std::vector<Shape> ending_shapes(level::Level const& level, Moment const& moment, Vec2 const& size,
+                                 std::string const& hint);
+
+// A bubble level, shown while gravity is turned.
+std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 const& size);
+
+struct KeyHelp {
+    std::string keys, meaning;
+};
+std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& size);
+
+// A line at the lower edge; presence fades it, 1 to 0.
+std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size);
+
+// A word in the upper middle: paused, slow motion.
+std::vector<Shape> badge_shapes(std::string const& text, Vec2 const& size);
+
+// A number with so many digits after the point.
+std::string written(double value, int digits);
+
+// Roughly how wide a line of text is, in units of its height: for panels behind text.
+double text_width(std::string const& text);
+
+}  // namespace view

@@ -1,0 +1,37 @@
+// The overlays one by one, and what they draw on: arrows in the world, tables at the left edge.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/hud.h"
+#include "view/overlay.h"
+
+namespace view {
+
+// Collects shapes; tables are placed one below the other.
+struct Slate {
+    std::vector<Shape>* shapes = nullptr;
+    Camera const* camera = nullptr;
+    double next_table = 0;  // pixels from the top
+};
+
+struct Arrow {
+    Vec2 from = Vec2::Zero();  // m
+    Vec2 way = Vec2::Zero();   // m, as long as it is drawn
+    Colour paint;
+    std::string name;
+};
+void draw_arrow(Slate& slate, Arrow const& arrow);
+
+struct Row {
+    std::string name, value;
+    Colour paint;
+};
+void draw_table(Slate& slate, std::string const& title, std::vector<Row> const& rows);
+
+void draw_figures(Slate& slate, level::Level const& level, Moment const& moment);
+void draw_forces(Slate& slate, level::Level const& level, Moment const& moment);
+void draw_energy(Slate& slate, level::Level const& level, Moment const& moment);
+
+}  // namespace view

@@ -1,0 +1,44 @@
+#include "view/scene_picture.h"
+
+#include <cmath>
+#include <utility>
+
+#include "view/actors.h"
+#include "view/backdrop.h"
+#include "view/hud.h"
+
+namespace view {
+
+namespace {
+
+void append(std::vector<Shape>& shapes, std::vector<Shape> more) {
+    for (Shape& shape : more) shapes.emplace_back(std::move(shape));
+}
+
+}  // namespace
+
+Stage stage_of(level::Level level) {
+    Ground ground = ground_of(level);
+    return {std::move(level), std::move(ground)};
+}
+
+Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camera, Dressing const& dressing) {
+    Picture picture;
+    picture.width = static_cast<int>(std::lround(camera.size.x()));
+    picture.height = static_cast<int>(std::lround(camera.size.y()));
+    picture.backdrop = backdrop_shapes(stage.level, stage.ground, camera);
+    picture.backdrop_key = backdrop_key_of(stage.level, camera);
+    std::vector<Shape>& shapes = picture.shapes;
+    append(shapes, goal_shapes(stage.level, moment, camera));
+    append(shapes, banana_shapes(stage.level, moment, camera));
+    append(shapes, shadow_shapes(stage.level, moment, camera));
+    append(shapes, ball_shapes(stage.level, moment, camera));
+    append(shapes, spring_shapes(stage.level, moment, camera));
+    append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays));
+    append(shapes, heading_shapes(stage.level, moment, camera.size));
+    append(shapes, tilt_shapes(stage.level, moment.forces.tilt, camera.size));
+    append(shapes, ending_shapes(stage.level, moment, camera.size, dressing.hint));
+    return picture;
+}
+
+}  // namespace view
