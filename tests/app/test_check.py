@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""smb2d check: every fault and every suspicion, a line each, with file and line (formats.md section 3)."""
+
+import re
+
+from program import ASSETS, ProgramTest, main
+
+
+class Check(ProgramTest):
+    def test_shipped_levels_have_no_faults_and_nothing_suspicious(self):
+        levels = sorted((ASSETS / "levels").glob("*.svg")) + sorted((ASSETS / "lab").glob("*.svg"))
+        self.assertGreaterEqual(len(levels), 7)
+        for level in levels:
+            self.done("check", level)
+            self.assertNotRegex(self.done("check", level).decode(), r"\.svg:\d+:")
+
+    def test_every_fault_is_found_and_not_only_the_first(self):
+        level = self.file("bad.svg", """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 4.5">
+<path class="terrain" data-friction="-1" d="M 0 4 H 8"/>
+<circle class="ball" cx="2" cy="3" r="0.5" data-mass="-1"/>
+<circle class="ball" cx="4" cy="3" r="0"/>
+</svg>
+""")
+        result = self.smb2d("check", level)
+        self.assertEqual((result.returncode, result.stderr), (3, b""))
+        found = [re.match(r"(.*):(\d+): ", line).groups() for line in result.stdout.decode().splitlines()
+                 if ".svg:" in line]
+        self.assertEqual(found, [(str(level), "2"), (str(level), "3"), (str(level), "4")])
+
+    def test_a_suspicion_is_printed_and_is_no_fault(self):
+        level = self.file("odd.svg", self.small_level.read_text().replace("data-spin", "data-spim"))
+        self.assertIn(f"{level}:3: ", self.done("check", level).decode())
+
+    def test_one_broken_level_among_many_is_a_fault(self):
+        broken = self.file("broken.svg", "<svg")
+        result = self.smb2d("check", self.small_level, broken, self.small_level)
+        self.assertEqual((result.returncode, result.stderr), (3, b""))
+        self.assertIn("broken.svg:1: ", result.stdout.decode())
+
+
+if __name__ == "__main__":
+    main()

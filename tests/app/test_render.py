@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Picture sequences without a display: names, sizes, counts, bytes (formats.md section 1)."""
+
+import signal
+import struct
+import subprocess
+
+from program import ASSETS, ProgramTest, files_no_longer_than, main, until
+
+DEMO = ASSETS / "runs/demo.json"
+SIZE = ["-s", "128x72"]
+
+
+class Render(ProgramTest):
+    def frames(self, folder="."):
+        return {path.name: path.read_bytes() for path in sorted((self.folder / folder).glob("*.png"))}
+
+    def test_a_sequence_is_numbered_from_zero_and_has_the_size_asked_for(self):
+        self.done("render", DEMO, "-o", "made/for/it/%05d.png", *SIZE, "--to", "0.35", "--fps", "10")
+        frames = self.frames("made/for/it")
+        self.assertEqual(list(frames), [f"{i:05d}.png" for i in range(4)])  # ceil(3.5)
+        for bytes in frames.values():
+            self.assertEqual(bytes[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(struct.unpack(">II", bytes[16:24]), (128, 72))
+
+    def test_a_whole_number_of_frames_is_not_rounded_up(self):
+        self.done("render", DEMO, "-o", "%d.png", *SIZE, "--to", "0.3", "--fps", "10")
+        self.assertEqual(len(self.frames()), 3)
+
+    def test_numbers_start_where_asked(self):
+        self.done("render", DEMO, "-o", "f%03d.png", *SIZE, "--to", "0.2", "--fps", "10", "--start-number", "98")
+        self.assertEqual(list(self.frames()), ["f098.png", "f099.png"])
+
+    def test_one_frame_needs_no_number(self):
+        self.done("render", DEMO, "-o", "one.png", *SIZE, "--to", "0.1", "--fps", "10")
+        self.assertEqual(list(self.frames()), ["one.png"])
+
+    def test_many_frames_need_a_number_in_the_name(self):
+        self.assert_fails(2, "render", DEMO, "-o", "one.png", *SIZE, "--to", "1", "--fps", "10")
+        self.assertEqual(self.frames(), {})
+
+    def test_a_frame_depends_on_its_time_alone(self):
+        self.done("render", DEMO, "-o", "all/%d.png", *SIZE, "--to", "2", "--fps", "5", "--jobs", "1")
+        self.done("render", DEMO, "-o", "late/%d.png", *SIZE, "--from", "1", "--to", "2", "--fps", "5",
+                  "--start-number", "5", "--jobs", "3")
+        everything, late = self.frames("all"), self.frames("late")
+        self.assertEqual(len(everything), 10)
+        self.assertEqual(late, {f"{i}.png": everything[f"{i}.png"] for i in range(5, 10)})
+
+    def test_raw_frames_are_the_pictures_bytes(self):
+        words = ["render", DEMO, *SIZE, "--from", "1", "--to", "1.2", "--fps", "10"]
+        raw = self.done(*words, "-o", "-")
+        self.assertEqual(len(raw), 2 * 128 * 72 * 3)
+        self.done(*words, "-o", "%d.png")
+        for i in range(2):
+            decoded = subprocess.run(["ffmpeg", "-v", "error", "-i", self.folder / f"{i}.png", "-f", "rawvideo",
+                                      "-pix_fmt", "rgb24", "-"], stdout=subprocess.PIPE, check=True).stdout
+            self.assertEqual(decoded, raw[i * len(decoded):(i + 1) * len(decoded)])
+
+    def test_something_is_drawn_and_moves(self):
+        raw = self.done("render", DEMO, "-o", "-", *SIZE, "--from", "1", "--to", "3", "--fps", "1")
+        first, second = raw[:128 * 72 * 3], raw[128 * 72 * 3:]
+        colours = {first[i:i + 3] for i in range(0, len(first), 3)}
+        self.assertGreater(len(colours), 50)
+        changed = sum(a != b for a, b in zip(first, second))
+        self.assertGreater(changed, 100)
+        self.assertLess(changed, len(first) / 2)  # the ball has moved, the level stands still
+
+    def test_overlays_are_drawn(self):
+        words = ["render", DEMO, "-o", "-", *SIZE, "--from", "5", "--to", "5.1", "--fps", "10"]
+        pictures = {self.done(*words, *more) for more in
+                    [[], ["--overlay", "figures"], ["--overlay", "forces"], ["--overlay", "energy"],
+                     ["--overlay", "all"]]}
+        self.assertEqual(len(pictures), 5)
+
+    def test_what_exists_is_not_overwritten_and_looked_for_first(self):
+        self.file("2.png", "precious")
+        words = ["render", DEMO, "-o", "%d.png", *SIZE, "--to", "0.5", "--fps", "10"]
+        self.assert_fails(1, *words, says="2.png")
+        self.assertEqual(self.frames(), {"2.png": b"precious"})
+        self.done(*words, "--overwrite")
+        self.assertEqual(len(self.frames()), 5)
+        self.assertNotEqual(self.frames()["2.png"], b"precious")
+
+    def test_a_full_disk_leaves_only_whole_files(self):
+        words = ["render", DEMO, "-s", "640x360", "--to", "0.3", "--fps", "10", "--jobs", "1"]
+        self.assert_fails(1, *words, "-o", "%d.png", says=".png", preexec_fn=files_no_longer_than(4096))
+        self.assertEqual(self.frames(), {})
+
+    def test_a_folder_that_cannot_be_made_is_named(self):
+        self.file("taken", "")
+        self.assert_fails(1, "render", DEMO, "-o", "taken/%d.png", *SIZE, "--to", "0.1", says="taken")
+
+    def test_an_interrupt_leaves_whole_pictures(self):
+        process = self.start("render", DEMO, "-o", "%06d.png", *SIZE, "--to", "100000")
+        until(lambda: len(self.frames()) > 2, "the first pictures", process)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 130)
+        self.assert_one_line(stderr)
+        for bytes in self.frames().values():
+            self.assertEqual(bytes[-8:-4], b"IEND")
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.suffix not in (".png", ".svg")], [])
+
+
+if __name__ == "__main__":
+    main()

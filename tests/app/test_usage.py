@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Exit statuses and the one line that goes with each failure, whatever the subcommand (formats.md section 1)."""
+
+import subprocess
+
+from program import BINARY, ProgramTest, main
+
+SUBCOMMANDS = ["play", "render", "record", "simulate", "check", "verify", "levels"]
+WITH_A_FILE = ["play", "render", "record", "simulate", "check", "verify"]
+
+
+class Usage(ProgramTest):
+    def output_for(self, subcommand):
+        return {"render": ["-o", "f%03d.png"], "record": ["-o", "v.mp4"]}.get(subcommand, [])
+
+    def test_every_subcommand_has_help_with_an_example(self):
+        for subcommand in SUBCOMMANDS:
+            text = self.done(subcommand, "--help").decode()
+            self.assertEqual(text.lower().count("example"), 1, text)
+            self.assertIn(f"smb2d {subcommand}", text)
+
+    def test_the_programs_own_help_names_every_subcommand(self):
+        text = self.done("--help").decode()
+        for subcommand in SUBCOMMANDS:
+            self.assertIn(subcommand, text)
+
+    def test_an_unknown_option_is_wrong_usage(self):
+        for subcommand in SUBCOMMANDS:
+            self.assert_fails(2, subcommand, "--no-such-option", self.small_level, *self.output_for(subcommand))
+
+    def test_an_unknown_subcommand_is_wrong_usage(self):
+        self.assert_fails(2, "dance", says="dance")
+
+    def test_a_file_that_is_needed_is_named_in_the_usage(self):
+        for subcommand in ["render", "record", "simulate", "check", "verify"]:
+            self.assert_fails(2, subcommand, *self.output_for(subcommand))
+
+    def test_a_missing_file_fails_and_is_named(self):
+        for subcommand in ["play", "render", "record", "simulate"]:
+            self.assert_fails(1, subcommand, "nowhere.svg", *self.output_for(subcommand), says="nowhere.svg")
+            self.assert_fails(1, subcommand, "nowhere.json", *self.output_for(subcommand), says="nowhere.json")
+
+    def test_a_broken_level_fails_with_its_file_and_line(self):
+        self.file("broken.svg", self.small_level.read_text().replace('r="0.5"', 'r="-1"'))
+        for subcommand in ["play", "render", "record", "simulate"]:
+            self.assert_fails(1, subcommand, "broken.svg", *self.output_for(subcommand), says="broken.svg:3: ")
+        self.assert_no_files("v*.mp4")
+
+    def test_options_are_free_of_order(self):
+        first = self.done("simulate", "--to", "0.1", self.small_level)
+        self.assertEqual(first, self.done("simulate", self.small_level, "--to", "0.1"))
+
+    def test_numbers_that_cannot_be_meant_are_wrong_usage(self):
+        for words in [["--to", "-1"], ["--to", "soon"], ["--to", "nan"], ["--to", "inf"], ["--every", "0"],
+                      ["--every", "-1/24"], ["--every", "1/0"], ["--rate", "0"], ["--rate", "-5"], ["--rate", "x"],
+                      ["--method", "guess"], ["--format", "xml"], ["--to"]]:
+            self.assert_fails(2, "simulate", self.small_level, *words)
+        for words in [["-s", "0x90"], ["-s", "wide"], ["-s", "160"], ["-r", "0"], ["--fps", "-1"], ["--jobs", "0"],
+                      ["--overlay", "nonsense"], ["--from", "-1"]]:
+            self.assert_fails(2, "render", self.small_level, "-o", "f%03d.png", *words)
+        self.assert_fails(2, "play", self.small_level, "--renderer", "crayon")
+
+    def test_render_and_record_need_an_output(self):
+        self.assert_fails(2, "render", self.small_level)
+        self.assert_fails(2, "record", self.small_level)
+
+    def test_play_without_a_display_says_so(self):
+        self.assert_fails(1, "play", self.small_level)
+        self.assert_fails(1, self.small_level)
+
+    def test_a_closed_standard_output_is_a_failure(self):
+        for words in [["simulate", self.small_level], ["levels"], ["simulate", "--help"], ["check", self.small_level]]:
+            command = ["sh", "-c", '"$@" >&-', "sh", BINARY, *map(str, words)]
+            result = subprocess.run(command, stderr=subprocess.PIPE, cwd=self.folder, env=self.environment())
+            if words[0] == "check" and result.returncode == 0:
+                continue  # nothing was found, so nothing was to be printed
+            self.assert_one_line(result.stderr)
+            self.assertEqual(result.returncode, 1, words)
+
+    def test_a_full_standard_output_is_a_failure(self):
+        with open("/dev/full", "wb") as full:
+            for words in [["simulate", self.small_level], ["simulate", self.small_level, "--events"], ["levels"],
+                          ["render", self.small_level, "-o", "-", "-s", "64x36", "--to", "0.1"]]:
+                self.assert_fails(1, *words, stdout=full)
+
+    def test_a_reader_that_leaves_is_a_failure(self):
+        for words in [["simulate", self.small_level, "--to", "10000"],
+                      ["render", self.small_level, "-o", "-", "-s", "64x36", "--to", "60"]]:
+            process = self.start(*words, stdout=subprocess.PIPE)
+            process.stdout.read(100)
+            process.stdout.close()
+            process.stdout = None
+            _, stderr = process.communicate(timeout=100)
+            self.assert_one_line(stderr)
+            self.assertEqual(process.returncode, 1)
+
+    def test_levels_lists_what_ships_from_wherever_it_is_started(self):
+        lines = self.done("levels").decode().splitlines()
+        self.assertGreaterEqual(len(lines), 3)
+        self.assertIn("Sunny hills", "\n".join(lines))
+        positions = ["\n".join(lines).index(title) for title in ["Sunny hills", "The turn", "The big push"]]
+        self.assertEqual(positions, sorted(positions))
+
+
+if __name__ == "__main__":
+    main()
