@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "level/level.h"
@@ -24,12 +25,14 @@ struct Release {};
 struct Tilt {
     double angle = 0;  // rad
 };
+using Action = std::variant<Grab, Move, Release, Tilt>;
 struct Input {
     double time = 0;  // s
-    std::variant<Grab, Move, Release, Tilt> action;
+    Action action;
 };
 
 struct Run {
+    std::string file;        // the path it was read from; empty for one that the window makes
     std::string level_file;  // as it can be opened from here
     std::optional<std::string> level_hash;
     std::optional<std::string> method_name;  // "article", "steps", "exact"; none = auto
@@ -44,9 +47,9 @@ struct Run {
 };
 
 struct Status {
-    int bananas = 0;                   // picked up
-    std::optional<double> goal_time;   // s
-    std::optional<double> fall_time;   // s, the player's
+    int bananas = 0;                  // picked up
+    std::optional<double> goal_time;  // s
+    std::optional<double> fall_time;  // s, the player's
     bool out_of_time = false;
 };
 

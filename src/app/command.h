@@ -1,0 +1,37 @@
+// Subcommands: each declares its options on the program and says what to do once they are read.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+// The exit statuses of formats.md section 1.
+inline constexpr int done = 0;
+inline constexpr int failed = 1;
+inline constexpr int wrong_usage = 2;
+inline constexpr int fault_found = 3;
+inline constexpr int was_interrupted = 130;
+
+// What the user typed cannot be meant.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Command {
+    CLI::App* options = nullptr;  // owned by the program
+    std::function<int()> run;     // the exit status; throws UsageError, Interrupted, std::exception
+};
+
+Command play_command(CLI::App& program);
+Command render_command(CLI::App& program);
+Command record_command(CLI::App& program);
+Command simulate_command(CLI::App& program);
+Command check_command(CLI::App& program);
+Command verify_command(CLI::App& program);
+Command levels_command(CLI::App& program);
+
+}  // namespace app

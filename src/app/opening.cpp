@@ -1,0 +1,44 @@
+#include "app/opening.h"
+
+#include "app/output.h"
+#include "game/run_file.h"
+
+namespace app {
+
+namespace {
+
+constexpr double default_duration = 10;  // s, formats.md section 1
+
+}  // namespace
+
+Opened opened(std::string const& file) {
+    Opened result;
+    result.file = file;
+    result.is_run = game::is_run_file(file);
+    if (result.is_run)
+        result.run = game::read_run(file);
+    else
+        result.run.level_file = file;
+    result.level = std::make_shared<level::Level const>(level::read_level(result.run.level_file));
+    return result;
+}
+
+void note_changed_level(Opened const& opened) {
+    if (opened.run.level_hash && *opened.run.level_hash != opened.level->hash)
+        note("smb2d: " + opened.file + ": the level " + opened.level->file + " has changed since this run was made");
+}
+
+game::Session session_for(Opened const& opened, game::MethodWish const& wish) {
+    game::MethodWish const whole{wish.name ? wish.name : opened.run.method_name,
+                                 wish.rate ? wish.rate : opened.run.rate};
+    if (auto const objection = game::objection_to(whole)) throw std::runtime_error(opened.file + ": " + *objection);
+    return game::session_of(opened.level, game::method_for(whole, opened.level->scene), opened.run.inputs, opened.file);
+}
+
+game::Fraction duration_of(game::Run const& run) {
+    if (run.duration) return {*run.duration, 1};
+    if (run.final) return {run.final->time, 1};
+    return {default_duration, 1};
+}
+
+}  // namespace app

@@ -1,0 +1,34 @@
+// From a file's name to a session ready to be advanced.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "game/fraction.h"
+#include "game/game.h"
+#include "game/method_choice.h"
+#include "game/session.h"
+
+namespace app {
+
+struct Opened {
+    std::string file;  // as the user named it
+    std::shared_ptr<level::Level const> level;
+    game::Run run;  // of a level: no more than its name
+    bool is_run = false;
+};
+
+// A level, or a run with its level. Throws std::runtime_error.
+Opened opened(std::string const& file);
+
+// Says on standard error when the level is not the one that the run was made for.
+void note_changed_level(Opened const& opened);
+
+// What the command line asks for, else what the run was made with, else `auto`.
+game::Session session_for(Opened const& opened, game::MethodWish const& wish);
+
+// The run's duration, else 10 s.
+game::Fraction duration_of(game::Run const& run);
+
+}  // namespace app

@@ -1,0 +1,106 @@
+// smb2d render: a sequence of pictures, without a display.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/command.h"
+#include "app/frame_names.h"
+#include "app/interrupt.h"
+#include "app/output.h"
+#include "app/sequence.h"
+#include "screen/png.h"
+
+namespace app {
+
+namespace {
+
+struct RenderOptions {
+    SequenceOptions sequence;
+    std::string start_number = "0";
+};
+
+void expect_png(std::string const& pattern) {
+    std::string ending = std::filesystem::path(pattern).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending != ".png")
+        throw UsageError("--output must end in .png, or be - for raw frames, got \"" + pattern + "\"");
+}
+
+// All names of the sequence are looked at before the first is written.
+void expect_unused(FrameNames const& names, long long first, long long count) {
+    for (long long i = 0; i < count; ++i) {
+        if (i % 1024 == 0) stop_if_interrupted();
+        std::string const name = names.name_of(first + i);
+        std::error_code error;
+        if (std::filesystem::exists(std::filesystem::symlink_status(name, error)))
+            throw std::runtime_error(name + ": is there already; --overwrite replaces it");
+    }
+}
+
+void make_folder_of(std::filesystem::path const& file) {
+    if (!file.has_parent_path()) return;
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error) throw std::runtime_error(file.parent_path().string() + ": " + error.message());
+}
+
+void render_files(RenderOptions const& options, Sequence& sequence, FrameNames const& names, long long first) {
+    if (!names.has_number() && sequence.count > 1)
+        throw UsageError("--output needs a number such as %05d for " + std::to_string(sequence.count) + " frames");
+    if (!options.sequence.overwrite) expect_unused(names, first, sequence.count);
+    Craft craft;
+    craft.make = [&](long long frame, screen::Pixels const& pixels) -> std::vector<std::uint8_t> {
+        std::string const name = names.name_of(first + frame);
+        make_folder_of(name);
+        screen::write_png(name, pixels);
+        return {};
+    };
+    craft_frames(sequence, craft);
+}
+
+std::vector<std::uint8_t> rgb_of(screen::Pixels const& pixels) {
+    std::vector<std::uint8_t> rgb(pixels.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgb.size() / 3; ++i)
+        std::copy_n(pixels.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
+                    rgb.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    return rgb;
+}
+
+void render_raw(Sequence& sequence) {
+    Craft craft;
+    craft.make = [](long long, screen::Pixels const& pixels) { return rgb_of(pixels); };
+    craft.deliver = [](std::vector<std::uint8_t> const& rgb) {
+        write_to_stdout({reinterpret_cast<char const*>(rgb.data()), rgb.size()});
+    };
+    craft_frames(sequence, craft);
+}
+
+int render(RenderOptions const& options) {
+    long long const first = whole_number_from("--start-number", options.start_number, 0, 1'000'000'000'000);
+    bool const raw = options.sequence.output == "-";
+    FrameNames const names(options.sequence.output);
+    if (!raw) expect_png(options.sequence.output);
+    Sequence sequence = sequence_for(options.sequence);
+    if (raw)
+        render_raw(sequence);
+    else
+        render_files(options, sequence, names, first);
+    return done;
+}
+
+}  // namespace
+
+Command render_command(CLI::App& program) {
+    auto const options = std::make_shared<RenderOptions>();
+    CLI::App* const command = program.add_subcommand("render", "A sequence of pictures (PNG), no display needed");
+    declare(*command, options->sequence);
+    command->add_option("-o,--output", options->sequence.output, "frames/%05d.png, or - for raw RGB24 on stdout")
+        ->required()
+        ->type_name("PATTERN");
+    command->add_option("--start-number", options->start_number, "the first file's number (default: 0)")
+        ->type_name("N");
+    command->footer("Example: smb2d render assets/levels/hill.svg -o frames/%05d.png --to 5");
+    return {command, [options] { return render(*options); }};
+}
+
+}  // namespace app

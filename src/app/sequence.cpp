@@ -1,0 +1,103 @@
+#include "app/sequence.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/command.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/stretch.h"
+#include "app/workshop.h"
+
+namespace app {
+
+namespace {
+
+constexpr double most_frames = 1e9;
+
+int jobs_from(std::optional<std::string> const& text) {
+    if (text) return static_cast<int>(whole_number_from("--jobs", *text, 1, 256));
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+view::Overlays overlays_in(std::string const& list) {
+    if (list.empty()) return {};
+    auto const overlays = view::overlays_from(list);
+    if (!overlays) throw UsageError("--overlay must list figures, forces, energy, or be all, got \"" + list + "\"");
+    return *overlays;
+}
+
+long long count_of(game::Fraction const& from, game::Fraction const& to, game::Fraction const& rate) {
+    if (!(to.value() > from.value())) throw UsageError("there is nothing to show: --to must be greater than --from");
+    if ((to.value() - from.value()) * rate.value() > most_frames) throw UsageError("that would be over 1e9 frames");
+    return game::frames_between(from, to, rate);
+}
+
+FrameOrder order_for(Sequence& sequence, long long frame) {
+    game::Session& session = sequence.session;
+    double const time = game::frame_time(sequence.from, frame, sequence.rate);
+    advance_in_stretches(session, time, view::camera_memory);
+    game::forget_before(session, std::max(0.0, time - view::camera_memory));
+    FrameOrder order;
+    order.frame = frame;
+    order.moment = view::moment_at(*session.level, session.history, time);
+    order.moment.forces = game::forces_at(session, time);
+    order.moment.noticed_at = session.noticed_at;
+    order.moment.status = game::status_at(session, time);
+    order.camera = view::camera_at(*session.level, session.history, time,
+                                   geometry::Vec2(sequence.size.width, sequence.size.height));
+    return order;
+}
+
+}  // namespace
+
+void declare(CLI::App& command, SequenceOptions& options) {
+    command.add_option("file", options.file, "a level (.svg) or a run (.json)")->required()->type_name("LEVEL|RUN");
+    declare(command, options.method);
+    command.add_option("-r,--fps", options.rate, "frames a second (default: 60)")->type_name("F");
+    command.add_option("-s,--size", options.size, "pixels (default: 1280x720)")->type_name("WxH");
+    command.add_option("--from", options.from, "the first frame's time (default: 0)")->type_name("S");
+    command.add_option("--to", options.to, "the end (default: the run's duration, else 10)")->type_name("S");
+    command.add_option("--overlay", options.overlay, "figures, forces, energy, with commas, or all")->type_name("LIST");
+    command.add_option("--jobs", options.jobs, "threads that paint (default: one a core)")->type_name("N");
+    command.add_flag("--overwrite", options.overwrite, "replace files that are there already");
+    command.add_flag("-q,--quiet", options.quiet, "neither progress nor notes");
+}
+
+Sequence sequence_for(SequenceOptions const& options) {
+    Sequence sequence;
+    game::MethodWish const wish = wish_from(options.method);
+    sequence.size = size_from(options.size);
+    sequence.overlays = overlays_in(options.overlay);
+    sequence.from = time_from("--from", options.from);
+    sequence.rate = positive_fraction_from("--fps", options.rate);
+    sequence.quiet = options.quiet;
+    int const jobs = jobs_from(options.jobs);
+    std::optional<game::Fraction> to;
+    if (options.to) to = time_from("--to", *options.to);
+    if (to) count_of(sequence.from, *to, sequence.rate);
+    Opened const opening = opened(options.file);
+    if (!options.quiet) note_changed_level(opening);
+    sequence.session = session_for(opening, wish);
+    sequence.count = count_of(sequence.from, to ? *to : duration_of(opening.run), sequence.rate);
+    sequence.jobs = static_cast<int>(std::min<long long>(jobs, sequence.count));
+    sequence.stage = view::stage_of(*opening.level);
+    return sequence;
+}
+
+void craft_frames(Sequence& sequence, Craft const& craft) {
+    Progress progress(sequence.count, sequence.quiet ? Progress::Bar::never : Progress::Bar::on_terminal);
+    Workshop workshop(sequence.stage, sequence.overlays, craft, sequence.jobs);
+    for (long long frame = 0; frame < sequence.count; ++frame) {
+        stop_if_interrupted();
+        workshop.take(order_for(sequence, frame));
+        progress.show(workshop.finished());
+    }
+    workshop.close();
+    while (workshop.finished() < sequence.count) {
+        workshop.wait_a_little();
+        progress.show(workshop.finished());
+    }
+}
+
+}  // namespace app

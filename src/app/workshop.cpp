@@ -1,0 +1,115 @@
+#include "app/workshop.h"
+
+#include <chrono>
+#include <optional>
+
+#include "app/interrupt.h"
+#include "screen/offscreen.h"
+
+namespace app {
+
+namespace {
+
+// How long Ctrl-C may go unheard while waiting.
+constexpr auto patience = std::chrono::milliseconds(50);
+
+}  // namespace
+
+Workshop::Workshop(view::Stage const& stage, view::Overlays const& overlays, Craft const& craft, int workers)
+    : stage_(stage), craft_(craft), room_(static_cast<std::size_t>(workers) + 1) {
+    dressing_.overlays = overlays;
+    for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
+}
+
+Workshop::~Workshop() {
+    {
+        std::lock_guard const lock(mutex_);
+        stopped_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& worker : workers_) worker.join();
+}
+
+void Workshop::rethrow() {
+    if (failure_) std::rethrow_exception(failure_);
+    stop_if_interrupted();
+}
+
+void Workshop::take(FrameOrder order) {
+    std::unique_lock lock(mutex_);
+    rethrow();
+    while (!changed_.wait_for(lock, patience, [this] { return failure_ || orders_.size() < room_; })) rethrow();
+    rethrow();
+    orders_.push_back(std::move(order));
+    lock.unlock();
+    changed_.notify_all();
+}
+
+void Workshop::close() {
+    {
+        std::lock_guard const lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+}
+
+void Workshop::wait_a_little() {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience);
+    rethrow();
+}
+
+long long Workshop::finished() {
+    std::lock_guard const lock(mutex_);
+    return delivered_;
+}
+
+std::optional<FrameOrder> Workshop::next_order() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopped_ || closed_ || !orders_.empty(); });
+    if (stopped_ || orders_.empty()) return std::nullopt;
+    FrameOrder order = std::move(orders_.front());
+    orders_.pop_front();
+    lock.unlock();
+    changed_.notify_all();
+    return order;
+}
+
+void Workshop::hand_in(long long frame, std::vector<std::uint8_t> product) {
+    std::unique_lock lock(mutex_);
+    if (craft_.deliver) {
+        changed_.wait(lock, [&] { return stopped_ || delivered_ == frame; });
+        if (stopped_) return;
+        // Nobody else delivers until the count goes on, so the lock need not be held meanwhile.
+        lock.unlock();
+        craft_.deliver(std::move(product));
+        lock.lock();
+    }
+    ++delivered_;
+    lock.unlock();
+    changed_.notify_all();
+}
+
+void Workshop::paint_orders() {
+    screen::Offscreen offscreen;
+    while (auto const order = next_order()) {
+        screen::Pixels const& pixels =
+            offscreen.paint(view::picture_of(stage_, order->moment, order->camera, dressing_));
+        hand_in(order->frame, craft_.make(order->frame, pixels));
+    }
+}
+
+void Workshop::work() {
+    try {
+        paint_orders();
+    } catch (...) {
+        {
+            std::lock_guard const lock(mutex_);
+            if (!failure_) failure_ = std::current_exception();
+            stopped_ = true;
+        }
+        changed_.notify_all();
+    }
+}
+
+}  // namespace app

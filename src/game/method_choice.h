@@ -1,0 +1,30 @@
+// Which method simulates: the one named, else the one chosen for the scene.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "physics/method.h"
+
+namespace game {
+
+inline constexpr double lowest_rate = 1;     // steps/s: below it a step is longer than any motion worth a look
+inline constexpr double highest_rate = 1e6;  // steps/s: above it a second takes minutes
+
+struct MethodWish {
+    std::optional<std::string> name;  // "auto", "article", "steps", "exact"; none = auto
+    std::optional<double> rate;       // steps/s; none = the method's own
+};
+
+// Whether formats.md knows a method of this name, "auto" included.
+bool is_method_name(std::string const& name);
+
+// Why no method of that name can be had, or nothing when it can.
+std::optional<std::string> objection_to(MethodWish const& wish);
+
+// Throws std::runtime_error with the objection, if there is one.
+physics::Method method_for(MethodWish const& wish, physics::Scene const& scene);
+
+double rate_of(physics::Method const& method);  // steps/s
+
+}  // namespace game

@@ -1,0 +1,67 @@
+#include "game/whole_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace game {
+
+namespace {
+
+[[noreturn]] void fail(std::string const& file, int error) {
+    throw std::runtime_error(file + ": " + std::strerror(error));
+}
+
+// 0, or the errno of what went wrong.
+int error_of_writing(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        ssize_t const written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+}  // namespace
+
+void write_whole_file(std::string const& file, std::string_view bytes) {
+    std::filesystem::path const path(file);
+    if (path.has_parent_path()) {
+        std::error_code error;
+        std::filesystem::create_directories(path.parent_path(), error);
+        if (error) fail(path.parent_path().string(), error.value());
+    }
+    std::string const beside = file + ".part." + std::to_string(::getpid());
+    int const descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail(file, errno);
+    int error = error_of_writing(descriptor, bytes);
+    if (::close(descriptor) != 0 && error == 0 && errno != EINTR) error = errno;
+    if (error == 0 && ::rename(beside.c_str(), file.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    ::unlink(beside.c_str());
+    fail(file, error);
+}
+
+std::string read_whole_file(std::string const& file, std::size_t limit) {
+    if (std::filesystem::is_directory(file)) fail(file, EISDIR);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) fail(file, errno);
+    std::string bytes;
+    char block[65536];
+    while (stream.read(block, sizeof block) || stream.gcount() > 0) {
+        bytes.append(block, static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > limit)
+            throw std::runtime_error(file + ": is larger than " + std::to_string(limit >> 20) + " MB");
+    }
+    if (stream.bad()) fail(file, EIO);
+    return bytes;
+}
+
+}  // namespace game
