@@ -1,0 +1,111 @@
+#include "app/play.h"
+
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+
+#include "app/assets.h"
+#include "app/command.h"
+#include "app/interrupt.h"
+#include "app/play_game.h"
+#include "app/play_keys.h"
+
+namespace app {
+
+namespace {
+
+screen::Renderer renderer_from(std::string const& name) {
+    if (name == "auto") return screen::Renderer::automatic;
+    if (name == "gl") return screen::Renderer::gl;
+    if (name == "software") return screen::Renderer::software;
+    throw UsageError("--renderer: must be auto, gl or software, got \"" + name + "\"");
+}
+
+std::string file_to_play(PlayOptions const& options) {
+    if (!options.file.empty()) return options.file;
+    auto const levels = shipped_levels();
+    if (levels.empty()) throw std::runtime_error("the levels that ship with this program were not found; name a level");
+    return levels.front().string();
+}
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// The hand that shows over a ball; SDL's cursors must be freed before its window.
+class Cursors {
+public:
+    void show_hand(bool over_ball) {
+        if (!hand_ || over_ball == shown_) return;
+        SDL_SetCursor(over_ball ? hand_.get() : SDL_GetDefaultCursor());
+        shown_ = over_ball;
+    }
+
+private:
+    struct Free {
+        void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
+    };
+    std::unique_ptr<SDL_Cursor, Free> hand_{SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_HAND)};
+    bool shown_ = false;
+};
+
+void show_cursor(Cursors& cursors, PlayGame const& game, screen::Window const& window) {
+    int x = 0, y = 0;
+    SDL_GetMouseState(&x, &y);
+    cursors.show_hand(game.held || is_over_ball(game, Vec2(x, y) * window.pixel_ratio()));
+}
+
+void fit(PlayGame& game, screen::Window const& window) {
+    screen::Extent const extent = window.extent();
+    game.size = Vec2(std::max(extent.width, 1), std::max(extent.height, 1));
+}
+
+void loop(PlayGame& game, Tour& tour, screen::Window& window) {
+    Cursors cursors;
+    for (double last = seconds_now();;) {
+        stop_if_interrupted();
+        SDL_Event event;
+        while (SDL_PollEvent(&event) != 0)
+            if (listen(event, game, tour, window) == Wish::quit) return;
+        fit(game, window);
+        double const now = seconds_now();
+        pass(game, now - last);
+        last = now;
+        show_cursor(cursors, game, window);
+        window.present(picture_of(game));
+    }
+}
+
+}  // namespace
+
+int play(PlayOptions const& options) {
+    screen::WindowSettings settings;
+    settings.renderer = renderer_from(options.renderer);
+    Size const size = size_from(options.size);
+    settings.width = size.width;
+    settings.height = size.height;
+    game::MethodWish const wish = wish_from(options.method);
+    std::string const file = file_to_play(options);
+    PlayGame game = game_of(file, wish);
+    Tour tour = tour_from(file);
+    settings.title = title_of(game);
+    screen::Window window(settings);
+    if (options.fullscreen) window.toggle_fullscreen();
+    say(game, "Press on the ball and drag it.   F1: all keys");
+    loop(game, tour, window);
+    return done;
+}
+
+Command play_command(CLI::App& program) {
+    CLI::App* const command = program.add_subcommand("play", "The window; without a file, the first level");
+    auto const options = std::make_shared<PlayOptions>();
+    command->add_option("file", options->file, "LEVEL or RUN");
+    declare(*command, options->method);
+    command->add_option("--renderer", options->renderer, "auto, gl or software")->capture_default_str();
+    command->add_option("-s,--size", options->size, "WIDTHxHEIGHT")->capture_default_str();
+    command->add_flag("--fullscreen", options->fullscreen, "fill the screen");
+    command->footer("Example: smb2d play assets/levels/01-sunny-hills.svg");
+    return {command, [options] { return play(*options); }};
+}
+
+}  // namespace app

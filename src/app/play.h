@@ -1,0 +1,20 @@
+// smb2d play: the window, and the loop that listens, lets time pass and draws.
+#pragma once
+
+#include <string>
+
+#include "app/options.h"
+
+namespace app {
+
+struct PlayOptions {
+    std::string file;  // a level or a run; empty = the first level
+    MethodOptions method;
+    std::string renderer = "auto", size = "1280x720";
+    bool fullscreen = false;
+};
+
+// The exit status. Throws UsageError, Interrupted, std::runtime_error, the last also where there is no display.
+int play(PlayOptions const& options);
+
+}  // namespace app

@@ -1,0 +1,226 @@
+#include "app/play_game.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/output.h"
+#include "app/play_save.h"
+#include "game/best_times.h"
+#include "game/run_file.h"
+#include "view/hud.h"
+
+namespace app {
+
+namespace {
+
+constexpr double toast_length = 4;    // s
+constexpr double leaning_time = 0.3;  // s from level to the tilt limit
+// Of the past, so much is kept: a stepping method may be a step ahead of what is shown.
+constexpr double kept_past = view::camera_memory + 1;  // s
+static_assert(game::lowest_rate >= 1, "a step is at most a second");
+
+void open_session(PlayGame& game, Opened const& opening) {
+    note_changed_level(opening);
+    game.session = session_for(opening, game.wish);
+    game.pace.ticks = 0;
+    game.pace.rest = 0;
+    game.pace.paused = false;
+    game.replay_end.reset();
+    if (opening.is_run) game.replay_end = duration_of(opening.run).value();
+    game.held.reset();
+    game.sent.reset();
+    game.noted = opening.is_run;
+}
+
+std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel) {
+    Vec2 const point = view::world_of(camera_of(game), pixel);
+    level::Level const& level = game.stage->level;
+    std::optional<int> found;
+    for (int ball = 0; ball < static_cast<int>(level.scene.balls.size()); ++ball) {
+        Vec2 const centre = physics::state_at(game.session.history, ball, shown_time(game)).position;
+        if (geometry::length(point - centre) > level.scene.balls[static_cast<std::size_t>(ball)].radius) continue;
+        if (!found || ball == level.player) found = ball;
+    }
+    return found;
+}
+
+// The player takes over from a run that is being replayed.
+void take_over(PlayGame& game) {
+    if (!game.replay_end) return;
+    game.replay_end.reset();
+    say(game, "You play on from here");
+}
+
+// Tells the session where the pointer is in the world now, be it because the camera has moved.
+void send_pointer(PlayGame& game) {
+    if (!game.held) return;
+    Vec2 const point = view::world_of(camera_of(game), *game.held);
+    if (game.sent && *game.sent == point) return;
+    game::act(game.session, game::Move{point});
+    game.sent = point;
+}
+
+void lean(PlayGame& game, double simulated) {
+    double const limit = game.stage->level.tilt_limit;
+    double const now = game.session.world.forces.tilt;
+    if (game.replay_end && game.lean == 0) return;
+    double const wanted = game.lean * limit;
+    if (now == wanted) return;
+    take_over(game);
+    double const most = limit * simulated / leaning_time;
+    game::act(game.session, game::Tilt{now + std::clamp(wanted - now, -most, most)});
+}
+
+void note_goal(PlayGame& game) {
+    if (game.noted || !game.session.goal_time || *game.session.goal_time > shown_time(game)) return;
+    game.noted = true;
+    try {
+        if (game::note_time(game.stage->level, *game.session.goal_time) == game::Rank::best)
+            say(game, "Best time: " + view::written(*game.session.goal_time, 2) + " s");
+    } catch (std::exception const& error) {
+        say(game, std::string("The time was not kept: ") + error.what());
+        note(std::string("smb2d: ") + error.what());
+    }
+}
+
+// Up to the time that the pace shows.
+void let_time_pass(PlayGame& game) {
+    game::advance(game.session, shown_time(game));
+    game::forget_before(game.session, shown_time(game) - kept_past);
+    note_goal(game);
+}
+
+}  // namespace
+
+PlayGame game_of(std::string const& file, game::MethodWish const& wish) {
+    PlayGame game;
+    game.file = file;
+    game.wish = wish;
+    Opened const opening = opened(file);
+    game.stage = std::make_shared<view::Stage const>(view::stage_of(*opening.level));
+    open_session(game, opening);
+    return game;
+}
+
+void change_to(PlayGame& game, std::string const& file) {
+    try {
+        PlayGame other = game_of(file, game.wish);
+        other.pace.speed = game.pace.speed;
+        other.size = game.size;
+        other.overlays = game.overlays;
+        other.lean = game.lean;
+        game = std::move(other);
+        game.toast = {};
+    } catch (std::exception const& error) {
+        say(game, error.what());
+        note(std::string("smb2d: ") + error.what());
+    }
+}
+
+void restart(PlayGame& game) {
+    view::Lens const lens = game.lens;
+    change_to(game, game.file);
+    game.lens = lens;
+}
+
+void change_method(PlayGame& game) {
+    char const* const names[] = {"article", "steps", "exact"};
+    std::size_t constexpr count = std::size(names);
+    std::string const now = physics::name_of(game.session.method);
+    std::size_t const at = static_cast<std::size_t>(std::find(names, names + count, now) - names);
+    for (std::size_t i = 1; i <= count; ++i) {
+        game::MethodWish const wish{names[(at + i) % count], game.wish.rate};
+        if (game::objection_to(wish)) continue;
+        game.wish = wish;
+        restart(game);
+        say(game, std::string("Method: ") + physics::name_of(game.session.method));
+        return;
+    }
+}
+
+view::Camera camera_of(PlayGame const& game) {
+    return view::camera_at(game.stage->level, game.session.history, shown_time(game), game.size, game.lens);
+}
+
+Pressed press(PlayGame& game, Vec2 const& pixel) {
+    std::optional<int> const ball = ball_at(game, pixel);
+    if (!ball) return Pressed::nothing;
+    take_over(game);
+    Vec2 const point = view::world_of(camera_of(game), pixel);
+    game::act(game.session, game::Grab{*ball, point});
+    game.held = pixel;
+    game.sent = point;
+    return Pressed::ball;
+}
+
+void move_pointer(PlayGame& game, Vec2 const& pixel) {
+    if (game.held) game.held = pixel;
+}
+
+void release(PlayGame& game) {
+    if (!game.held) return;
+    send_pointer(game);
+    game::act(game.session, game::Release{});
+    game.held.reset();
+    game.sent.reset();
+}
+
+bool is_over_ball(PlayGame const& game, Vec2 const& pixel) { return ball_at(game, pixel).has_value(); }
+
+void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches) {
+    game.lens = view::zoomed(game.lens, camera_of(game), pixel, notches);
+}
+
+void single_step(PlayGame& game) {
+    if (!game.pace.paused) return;
+    send_pointer(game);
+    lean(game, 1.0 / 60);
+    game.pace = game::after_single_step(game.pace);
+    let_time_pass(game);
+}
+
+void cycle_overlay(PlayGame& game) {
+    view::Overlays const order[] = {
+        {}, {true, false, false}, {false, true, false}, {false, false, true}, {true, true, true}};
+    char const* const names[] = {"none", "figures", "forces", "energy", "all"};
+    std::size_t constexpr count = std::size(order);
+    std::size_t const at = static_cast<std::size_t>(std::find(order, order + count, game.overlays) - order);
+    std::size_t const next = (at + 1) % count;
+    game.overlays = order[next];
+    say(game, std::string("Overlay: ") + names[next]);
+}
+
+void save_run(PlayGame& game) {
+    try {
+        std::string const file = free_run_name(game.stage->level.file);
+        game::write_run(run_to_save(game.session), file);
+        say(game, "Saved " + file);
+        note("smb2d: saved " + file);
+    } catch (std::exception const& error) {
+        say(game, std::string("Not saved: ") + error.what());
+        note(std::string("smb2d: not saved: ") + error.what());
+    }
+}
+
+void say(PlayGame& game, std::string const& text) { game.toast = {text, toast_length}; }
+
+void pass(PlayGame& game, double elapsed) {
+    game.toast.left = std::max(0.0, game.toast.left - elapsed);
+    long long const before = game.pace.ticks;
+    game::Pace const next = game::after(game.pace, elapsed);
+    if (next.ticks == before) {
+        game.pace = next;
+        return;
+    }
+    double const simulated = static_cast<double>(next.ticks - before) / game::ticks_per_second;
+    send_pointer(game);
+    lean(game, simulated);
+    game.pace = next;
+    let_time_pass(game);
+    if (!game.replay_end || shown_time(game) < *game.replay_end) return;
+    game.replay_end.reset();
+    game.pace.paused = true;
+    say(game, "The end of the run; Space plays on from here");
+}
+
+}  // namespace app

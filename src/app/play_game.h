@@ -1,0 +1,76 @@
+// One game as it is played in the window: what is simulated, how it is looked at, what the player holds. Knows no SDL.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/opening.h"
+#include "game/pace.h"
+#include "game/session.h"
+#include "view/scene_picture.h"
+
+namespace app {
+
+using geometry::Vec2;
+
+struct Toast {
+    std::string text;
+    double left = 0;  // s on the wall until it is gone
+};
+
+struct PlayGame {
+    std::string file;       // the level or run that was asked for
+    game::MethodWish wish;  // of the command line, or of the key that changes the method
+    std::shared_ptr<view::Stage const> stage;
+    game::Session session;
+    game::Pace pace;
+    std::optional<double> replay_end;  // s, while a run is being replayed
+
+    Vec2 size = Vec2(1280, 720);  // pixels, of the picture
+    view::Lens lens;
+    view::Overlays overlays;
+    std::optional<Vec2> held;  // pixels, the pointer while it drags a ball
+    std::optional<Vec2> sent;  // m, where it was when it was last told to the session
+    int lean = 0;              // -1, 0, 1: to which side the stage is being tilted
+    Toast toast;
+    bool help = false;
+    bool noted = false;  // the time of reaching the goal has been noted
+};
+
+// Throws std::runtime_error. Nothing of a game before it is kept but what `look_of` hands over.
+PlayGame game_of(std::string const& file, game::MethodWish const& wish);
+
+// The same level from its beginning, looked at as before.
+void restart(PlayGame& game);
+// Another level or run, looked at as before. Says so in a toast when it cannot be opened, and stays.
+void change_to(PlayGame& game, std::string const& file);
+// The next method, from the beginning of the level.
+void change_method(PlayGame& game);
+
+inline double shown_time(PlayGame const& game) { return game::simulated_time(game.pace); }
+view::Camera camera_of(PlayGame const& game);
+
+enum class Pressed { ball, nothing };
+Pressed press(PlayGame& game, Vec2 const& pixel);
+void move_pointer(PlayGame& game, Vec2 const& pixel);
+void release(PlayGame& game);
+// Whether a press there would take hold of a ball.
+bool is_over_ball(PlayGame const& game, Vec2 const& pixel);
+
+void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches);
+void single_step(PlayGame& game);
+void cycle_overlay(PlayGame& game);
+// Into the user's data folder, never over another file; tells where, or why not, in a toast and on standard error.
+void save_run(PlayGame& game);
+
+void say(PlayGame& game, std::string const& text);
+
+// `elapsed` seconds have passed on the wall.
+void pass(PlayGame& game, double elapsed);
+
+view::Picture picture_of(PlayGame const& game);
+
+}  // namespace app

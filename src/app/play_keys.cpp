@@ -1,0 +1,143 @@
+#include "app/play_keys.h"
+
+#include "app/assets.h"
+
+namespace app {
+
+namespace {
+
+constexpr double slow_speed = 0.25;
+
+bool is_same_file(std::string const& a, std::string const& b) {
+    std::error_code none;
+    return a == b || std::filesystem::equivalent(a, b, none);
+}
+
+void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& window) {
+    window.release_pointer();
+    tour.at = (tour.at + by) % tour.files.size();
+    change_to(game, tour.files[tour.at]);
+    window.retitle(title_of(game));
+}
+
+Vec2 pixel_at(int x, int y, screen::Window const& window) { return Vec2(x, y) * window.pixel_ratio(); }
+
+// Which way the keys that are down now tilt the stage.
+int lean_of_keys() {
+    Uint8 const* const down = SDL_GetKeyboardState(nullptr);
+    int const left = down[SDL_SCANCODE_LEFT] || down[SDL_SCANCODE_A] ? 1 : 0;
+    int const right = down[SDL_SCANCODE_RIGHT] || down[SDL_SCANCODE_D] ? 1 : 0;
+    return right - left;
+}
+
+Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& window) {
+    switch (key) {
+        case SDLK_q:
+            return Wish::quit;
+        case SDLK_ESCAPE:
+            if (!game.help) return Wish::quit;
+            game.help = false;
+            break;
+        case SDLK_F1:
+            game.help = !game.help;
+            break;
+        case SDLK_SPACE:
+            game.pace.paused = !game.pace.paused;
+            break;
+        case SDLK_PERIOD:
+        case SDLK_n:
+            single_step(game);
+            break;
+        case SDLK_s:
+            game.pace.speed = game.pace.speed == 1 ? slow_speed : 1;
+            break;
+        case SDLK_r:
+            window.release_pointer();
+            restart(game);
+            break;
+        case SDLK_m:
+            window.release_pointer();
+            change_method(game);
+            break;
+        case SDLK_TAB:
+        case SDLK_PAGEDOWN:
+            go_to_level(game, tour, 1, window);
+            break;
+        case SDLK_PAGEUP:
+            go_to_level(game, tour, tour.files.size() - 1, window);
+            break;
+        case SDLK_o:
+            cycle_overlay(game);
+            break;
+        case SDLK_F5:
+            save_run(game);
+            break;
+        case SDLK_F11:
+            window.toggle_fullscreen();
+            break;
+        default:
+            break;
+    }
+    return Wish::stay;
+}
+
+}  // namespace
+
+Tour tour_from(std::string const& file) {
+    Tour tour;
+    for (std::filesystem::path const& level : shipped_levels()) tour.files.push_back(level.string());
+    for (std::size_t i = 0; i < tour.files.size(); ++i)
+        if (is_same_file(tour.files[i], file)) return {tour.files, i};
+    tour.files.insert(tour.files.begin(), file);
+    return tour;
+}
+
+std::string title_of(PlayGame const& game) {
+    level::Level const& level = game.stage->level;
+    std::string const name = level.title.empty() ? std::filesystem::path(level.file).stem().string() : level.title;
+    return "Super Monkey Ball 2D - " + name;
+}
+
+Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    switch (event.type) {
+        case SDL_QUIT:
+            return Wish::quit;
+        case SDL_WINDOWEVENT:
+            return event.window.event == SDL_WINDOWEVENT_CLOSE ? Wish::quit : Wish::stay;
+        case SDL_KEYDOWN:
+            game.lean = lean_of_keys();
+            // Alt-Tab is the desktop's, and a key that is held down repeats steps alone.
+            if ((event.key.keysym.mod & KMOD_ALT) != 0) return Wish::stay;
+            if (event.key.repeat != 0 && event.key.keysym.sym != SDLK_PERIOD && event.key.keysym.sym != SDLK_n)
+                return Wish::stay;
+            return press_key(event.key.keysym.sym, game, tour, window);
+        case SDL_KEYUP:
+            game.lean = lean_of_keys();
+            break;
+        case SDL_MOUSEBUTTONDOWN:
+            if (event.button.button == SDL_BUTTON_LEFT && !game.held &&
+                press(game, pixel_at(event.button.x, event.button.y, window)) == Pressed::ball)
+                window.capture_pointer();
+            break;
+        case SDL_MOUSEMOTION:
+            move_pointer(game, pixel_at(event.motion.x, event.motion.y, window));
+            break;
+        case SDL_MOUSEBUTTONUP:
+            if (event.button.button != SDL_BUTTON_LEFT) break;
+            move_pointer(game, pixel_at(event.button.x, event.button.y, window));
+            release(game);
+            window.release_pointer();
+            break;
+        case SDL_MOUSEWHEEL: {
+            int x = 0, y = 0;
+            SDL_GetMouseState(&x, &y);
+            turn_wheel(game, pixel_at(x, y, window), event.wheel.preciseY);
+            break;
+        }
+        default:
+            break;
+    }
+    return Wish::stay;
+}
+
+}  // namespace app

@@ -1,0 +1,29 @@
+// SDL's events made into what the player does.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <SDL.h>
+
+#include "app/play_game.h"
+#include "screen/window.h"
+
+namespace app {
+
+// The levels that Tab and PageUp walk through, and where among them the game is.
+struct Tour {
+    std::vector<std::string> files;
+    std::size_t at = 0;
+};
+Tour tour_from(std::string const& file);
+
+enum class Wish { stay, quit };
+
+// What one event means for the game and its window.
+Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
+
+std::string title_of(PlayGame const& game);
+
+}  // namespace app

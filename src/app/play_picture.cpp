@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/play_game.h"
+#include "view/hud.h"
+
+namespace app {
+
+namespace {
+
+constexpr double toast_fading = 0.6;  // s
+
+std::vector<view::KeyHelp> key_help() {
+    return {{"left button", "press on the ball and drag it"},
+            {"A  D", "tilt the stage; so do the left and right arrows"},
+            {"wheel", "zoom"},
+            {"Space", "pause"},
+            {".  N", "one step while paused"},
+            {"S", "slow motion"},
+            {"R", "from the beginning"},
+            {"Tab", "next level; so does PageDown, PageUp goes back"},
+            {"O", "overlay: figures, forces, energy, all, none"},
+            {"M", "next method, from the beginning"},
+            {"F5", "save the run"},
+            {"F11", "full screen"},
+            {"Q  Esc", "quit"}};
+}
+
+std::string badge_of(PlayGame const& game) {
+    std::string words;
+    auto const add = [&](bool is_so, std::string const& word) {
+        if (!is_so) return;
+        if (!words.empty()) words += ", ";
+        words += word;
+    };
+    add(game.replay_end.has_value(), "replay");
+    add(game.pace.paused, "paused");
+    add(game.pace.speed != 1, "slow motion");
+    return words;
+}
+
+view::Moment moment_of(PlayGame const& game) {
+    view::Recall const recall = game.overlays.energy ? view::Recall::chart : view::Recall::nothing;
+    view::Moment moment = view::moment_at(game.stage->level, game.session.history, shown_time(game), recall);
+    // What the player has just done shows at once, though a stepping method lets it act from the next step on.
+    moment.forces = game.session.world.forces;
+    moment.noticed_at = game.session.noticed_at;
+    moment.status = game::status_at(game.session, shown_time(game));
+    return moment;
+}
+
+}  // namespace
+
+view::Picture picture_of(PlayGame const& game) {
+    view::Moment const moment = moment_of(game);
+    view::Dressing dressing;
+    dressing.overlays = game.overlays;
+    dressing.hint = moment.status.goal_time ? "Tab: next level   R: again" : "R: try again";
+    view::Picture picture = view::picture_of(*game.stage, moment, camera_of(game), dressing);
+    auto const add = [&](std::vector<view::Shape> more) {
+        for (view::Shape& shape : more) picture.shapes.emplace_back(std::move(shape));
+    };
+    std::string const badge = badge_of(game);
+    if (!badge.empty()) add(view::badge_shapes(badge, game.size));
+    add(view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));
+    if (game.help) add(view::help_shapes(key_help(), game.size));
+    return picture;
+}
+
+}  // namespace app
