@@ -1,0 +1,141 @@
+#include "screen/glyphs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_TRUETYPE_IMPLEMENTATION
+#define STBTT_STATIC
+#include <stb_truetype.h>
+#pragma GCC diagnostic pop
+
+namespace screen {
+namespace {
+
+// Smaller text is easier to read in the regular face; titles look better in bold.
+constexpr double bold_from = 30;      // pixels
+constexpr double highest_text = 400;  // pixels: a letter must fit the atlas
+
+std::vector<unsigned char> font_file(std::string const& name) {
+    for (char const* folder :
+         {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/", "/usr/share/fonts/TTF/"}) {
+        std::ifstream file(folder + name, std::ios::binary);
+        std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+        if (!bytes.empty()) return bytes;
+    }
+    throw std::runtime_error("the font " + name + " is missing (Debian's package fonts-dejavu-core)");
+}
+
+int next_letter(std::string const& text, std::size_t& at) {
+    auto const lead = static_cast<unsigned char>(text[at++]);
+    int const more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : 0;
+    int letter = more == 0 ? lead : lead & (0x3F >> more);
+    for (int i = 0; i < more && at < text.size(); ++i) letter = letter << 6 | (text[at++] & 0x3F);
+    return letter;
+}
+
+std::vector<int> letters_of(std::string const& text) {
+    std::vector<int> letters;
+    for (std::size_t at = 0; at < text.size();) letters.push_back(next_letter(text, at));
+    return letters;
+}
+
+int quarters_of(double height) { return static_cast<int>(std::lround(std::clamp(height, 4.0, highest_text) * 4)); }
+
+}  // namespace
+
+struct Glyphs::Font {
+    std::vector<unsigned char> bytes;
+    stbtt_fontinfo info{};
+
+    explicit Font(std::string const& name) : bytes(font_file(name)) {
+        if (!stbtt_InitFont(&info, bytes.data(), 0)) throw std::runtime_error("the font " + name + " is broken");
+    }
+    // The height of a label is from base line to base line.
+    float scale(int quarters) const {
+        int ascent = 0, descent = 0, gap = 0;
+        stbtt_GetFontVMetrics(&info, &ascent, &descent, &gap);
+        return static_cast<float>(quarters) / 4 / static_cast<float>(ascent - descent + gap);
+    }
+    double advance(int letter, int next) const {
+        int advance = 0, bearing = 0;
+        stbtt_GetCodepointHMetrics(&info, letter, &advance, &bearing);
+        return advance + (next ? stbtt_GetCodepointKernAdvance(&info, letter, next) : 0);
+    }
+};
+
+Glyphs::Glyphs()
+    : regular_(std::make_unique<Font>("DejaVuSans.ttf")),
+      bold_(std::make_unique<Font>("DejaVuSans-Bold.ttf")),
+      atlas_(static_cast<std::size_t>(atlas_side) * atlas_side) {}
+Glyphs::~Glyphs() = default;
+Glyphs::Glyphs(Glyphs&&) noexcept = default;
+Glyphs& Glyphs::operator=(Glyphs&&) noexcept = default;
+
+Glyphs::Font const& Glyphs::font_for(double height) const { return height < bold_from ? *regular_ : *bold_; }
+
+double Glyphs::width_of(std::string const& text, double height) const {
+    Font const& font = font_for(height);
+    auto const letters = letters_of(text);
+    double width = 0;
+    for (std::size_t i = 0; i < letters.size(); ++i)
+        width += font.advance(letters[i], i + 1 < letters.size() ? letters[i + 1] : 0);
+    return width * font.scale(quarters_of(height));
+}
+
+std::optional<Line> Glyphs::line(std::string const& text, double height, double start) {
+    Font const& font = font_for(height);
+    int const quarters = quarters_of(height);
+    double const scale = font.scale(quarters);
+    auto const letters = letters_of(text);
+    Line line;
+    double pen = start;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        int const pen_quarters = static_cast<int>(std::floor(pen * 4 + 0.5));
+        auto const placed = glyph(font, letters[i], quarters, pen_quarters & 3);
+        if (!placed) return std::nullopt;
+        line.glyphs.push_back({*placed, pen_quarters >> 2});
+        pen += scale * font.advance(letters[i], i + 1 < letters.size() ? letters[i + 1] : 0);
+    }
+    line.width = pen - start;
+    return line;
+}
+
+std::optional<Glyph> Glyphs::glyph(Font const& font, int letter, int height_quarters, int pen_quarters) {
+    Key const key{&font, letter, height_quarters, pen_quarters};
+    if (auto const found = kept_.find(key); found != kept_.end()) return found->second;
+    float const scale = font.scale(height_quarters), shift = static_cast<float>(pen_quarters) / 4;
+    int left = 0, top = 0, right = 0, bottom = 0;
+    stbtt_GetCodepointBitmapBoxSubpixel(&font.info, letter, scale, scale, shift, 0, &left, &top, &right, &bottom);
+    Glyph glyph{0, 0, right - left, bottom - top, left, top};
+    if (shelf_x_ + glyph.width > atlas_side) {
+        shelf_x_ = 0;
+        shelf_y_ += std::exchange(shelf_height_, 0);
+    }
+    if (shelf_y_ + glyph.height > atlas_side) return std::nullopt;
+    glyph.atlas_x = shelf_x_;
+    glyph.atlas_y = shelf_y_;
+    shelf_x_ += glyph.width;
+    shelf_height_ = std::max(shelf_height_, glyph.height);
+    if (glyph.width > 0 && glyph.height > 0) {
+        unsigned char* corner = atlas_.data() + glyph.atlas_y * atlas_side + glyph.atlas_x;
+        stbtt_MakeCodepointBitmapSubpixel(&font.info, corner, glyph.width, glyph.height, atlas_side, scale, scale,
+                                          shift, 0, letter);
+        changed_ = true;
+    }
+    kept_.emplace(key, glyph);
+    return glyph;
+}
+
+void Glyphs::clear() {
+    kept_.clear();
+    shelf_x_ = shelf_y_ = shelf_height_ = 0;
+    std::fill(atlas_.begin(), atlas_.end(), std::uint8_t{0});
+}
+
+}  // namespace screen

@@ -1,0 +1,65 @@
+// Letters: DejaVu Sans, drawn at the size they are shown, kept in one texture's worth of bytes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace screen {
+
+constexpr int atlas_side = 2048;  // texels
+
+// A letter's place in the atlas and around the pen, which stands on the base line.
+struct Glyph {
+    int atlas_x = 0, atlas_y = 0;  // texels
+    int width = 0, height = 0;     // pixels; 0 for a space
+    int left = 0, top = 0;         // pixels from the pen to the upper left corner
+};
+
+// The n-th letter of a text, with the pen's place from the start of the text.
+struct PlacedGlyph {
+    Glyph glyph;
+    int pen = 0;  // whole pixels
+};
+
+struct Line {
+    std::vector<PlacedGlyph> glyphs;
+    double width = 0;  // pixels
+};
+
+class Glyphs {
+public:
+    // Throws std::runtime_error when the fonts are not there.
+    Glyphs();
+    ~Glyphs();
+    Glyphs(Glyphs&&) noexcept;
+    Glyphs& operator=(Glyphs&&) noexcept;
+
+    double width_of(std::string const& text, double height) const;  // pixels
+    // Places the letters, the pen starting `start` (0 to 1) into a pixel. None when the atlas is full.
+    std::optional<Line> line(std::string const& text, double height, double start);
+    // Forgets all letters.
+    void clear();
+
+    std::vector<std::uint8_t> const& atlas() const { return atlas_; }
+    bool is_changed() const { return changed_; }  // since the last mark_seen
+    void mark_seen() { changed_ = false; }
+
+private:
+    struct Font;
+    using Key = std::tuple<Font const*, int, int, int>;  // font, letter, height in quarters, pen in quarters
+    std::optional<Glyph> glyph(Font const& font, int letter, int height_quarters, int pen_quarters);
+    Font const& font_for(double height) const;
+
+    std::unique_ptr<Font> regular_, bold_;
+    std::vector<std::uint8_t> atlas_;
+    std::map<Key, Glyph> kept_;
+    int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;  // texels
+    bool changed_ = true;
+};
+
+}  // namespace screen

@@ -1,0 +1,45 @@
+// Shapes as the records that the shaders take, collected in order: no GL here.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "view/picture.h"
+
+namespace screen {
+
+enum class Program { sky, disc, box, arc, area, glyph, shell };
+constexpr int program_count = 7;
+
+// What one quad is drawn from; shaders.h says what each program takes place and form for.
+struct Quad {
+    std::array<float, 8> corners{};  // pixels, in the order of a triangle strip
+    std::array<float, 4> place{}, form{}, colour{}, second_colour{};
+};
+
+struct Run {
+    Program program;
+    int first = 0, count = 0;  // quads
+};
+
+struct Batch {
+    std::vector<Quad> quads;
+    std::vector<Run> runs;
+
+    bool is_empty() const { return quads.empty(); }
+    void add(Program program, Quad const& quad);
+    void clear();
+};
+
+// A box given by two corners.
+std::array<float, 8> upright(double left, double top, double right, double bottom);
+std::array<float, 4> floats(view::Colour const& colour);
+
+void add_shape(Batch& batch, view::Sky const& sky, int width, int height);
+void add_shape(Batch& batch, view::Disc const& disc);
+void add_shape(Batch& batch, view::Stroke const& stroke);
+void add_shape(Batch& batch, view::ArcStroke const& arc);
+void add_shape(Batch& batch, view::Panel const& panel);
+void add_shape(Batch& batch, view::Shell const& shell);
+
+}  // namespace screen
