@@ -1,0 +1,208 @@
+#include "game/session.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "game/method_choice.h"
+#include "scratch.h"
+
+using game::Session;
+using game_test::message_of;
+using geometry::Vec2;
+
+namespace {
+
+// Nothing but a ball in empty space, without gravity: it flies straight on.
+level::Level empty_level(Vec2 const& velocity) {
+    level::Level level;
+    level.file = "empty.svg";
+    level.hash = "00000000000000ab";
+    level.size = Vec2(16, 9);
+    level.scene.gravity = 0;
+    physics::Ball ball;
+    ball.start.velocity = velocity;
+    level.scene.balls = {ball};
+    return level;
+}
+
+void add_sensor(level::Level& level, physics::Sensor const& sensor, level::Meaning meaning) {
+    level.scene.sensors.push_back(sensor);
+    level.meanings.push_back(meaning);
+}
+
+void add_line(level::Level& level, double x, level::Meaning meaning) {
+    physics::Sensor sensor;
+    sensor.region = physics::LineRegion{Vec2(x, -5), Vec2(x, 5)};
+    sensor.ball = 0;
+    add_sensor(level, sensor, meaning);
+}
+
+Session session_of(level::Level const& level, std::vector<game::Input> inputs = {}, double rate = 240) {
+    return game::session_of(std::make_shared<level::Level const>(level), physics::Steps{rate, 4}, std::move(inputs),
+                            "run.json");
+}
+
+std::vector<game::Input> drag() {
+    return {{0.11, game::Grab{0, Vec2(1, 2)}},
+            {0.333, game::Move{Vec2(-1, 0.5)}},
+            {0.4, game::Tilt{0.2}},
+            {0.71, game::Release{}}};
+}
+
+physics::Pull pull_after(level::Level const& level, std::vector<game::Input> const& inputs) {
+    Session session = session_of(level, inputs);
+    game::advance(session, inputs.back().time);
+    return session.world.forces.pull.value();
+}
+
+}  // namespace
+
+TEST_CASE("an input acts at the first step that starts at or after it") {
+    Session session = session_of(empty_level(Vec2::Zero()), {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}}, 10);
+    game::advance(session, 1);
+    REQUIRE(session.history.events.size() == 2);
+    CHECK(session.history.events[0].kind == physics::EventKind::tilt);
+    CHECK(session.history.events[0].time == 2.0 / 10);
+    CHECK(session.history.events[1].time == 3.0 / 10);
+    CHECK(game::forces_at(session, 0.19).tilt == 0);
+    CHECK(game::forces_at(session, 0.2).tilt == 0.1);
+    CHECK(game::forces_at(session, 0.29).tilt == 0.1);
+    CHECK(game::forces_at(session, 0.31).tilt == 0.2);
+}
+
+TEST_CASE("how often one looks does not change what happens") {
+    level::Level const level = empty_level(Vec2(1, 0));
+    Session once = session_of(level, drag()), often = session_of(level, drag());
+    game::advance(once, 1.3);
+    for (int i = 0; i <= 1300; ++i) {
+        game::advance(often, i / 1000.0);
+        game::forget_before(often, i / 1000.0);
+    }
+    CHECK(game::state_hash(once, 1.3) == game::state_hash(often, 1.3));
+}
+
+TEST_CASE("the target of a drag is the pointer, drawn in to the reach from the ball's centre") {
+    level::Level level = empty_level(Vec2::Zero());
+    level.drag_reach = 5;
+    CHECK(pull_after(level, {{0, game::Grab{0, Vec2(3, -2)}}}).target == Vec2(3, -2));
+    Vec2 const target = pull_after(level, {{0, game::Grab{0, Vec2(30, 40)}}}).target;
+    CHECK(geometry::length(target - Vec2(3, 4)) <= 1e-14);
+}
+
+TEST_CASE("a move draws the target in again, from where the ball is then") {
+    level::Level level = empty_level(Vec2(2, 0));
+    level.drag_reach = 1;
+    level.scene.drag.frequency = 0;  // the spring does not pull, so the ball flies on
+    Vec2 const target = pull_after(level, {{0, game::Grab{0, Vec2(100, 0)}}, {1, game::Move{Vec2(100, 0)}}}).target;
+    CHECK(geometry::length(target - Vec2(3, 0)) <= 1e-9);  // at 2 m/s for 1 s, and the reach; 240 steps' rounding
+}
+
+TEST_CASE("tilt beyond the limit is the limit") {
+    level::Level level = empty_level(Vec2::Zero());
+    level.tilt_limit = 0.3;
+    for (auto const& [asked, got] : {std::pair{0.2, 0.2}, {1.0, 0.3}, {-7.0, -0.3}}) {
+        Session session = session_of(level, {{0, game::Tilt{asked}}});
+        game::advance(session, 0);
+        CHECK(session.world.forces.tilt == got);
+    }
+}
+
+TEST_CASE("a grab of a ball that does not exist is refused with the input's number") {
+    std::string const message = message_of([] {
+        session_of(empty_level(Vec2::Zero()), {{0, game::Tilt{0}}, {1, game::Grab{1, Vec2(0, 0)}}});
+    });
+    CHECK(message.find("run.json: inputs[1]: grab: there is no ball 1") == 0);
+}
+
+TEST_CASE("what the player does is events in the history, a move is none") {
+    Session session = session_of(empty_level(Vec2::Zero()), drag());
+    game::advance(session, 1);
+    std::vector<physics::EventKind> kinds;
+    for (physics::Event const& event : session.history.events) kinds.push_back(event.kind);
+    CHECK(kinds == std::vector{physics::EventKind::grab, physics::EventKind::tilt, physics::EventKind::release});
+}
+
+TEST_CASE("what was played comes out the same from its run") {
+    level::Level const level = empty_level(Vec2(1, 1));
+    Session played = session_of(level);
+    game::advance(played, 0.1);
+    game::act(played, game::Move{Vec2(1, 1)});  // nothing is grabbed, so this is nothing
+    game::act(played, game::Grab{0, Vec2(2, 0)});
+    game::advance(played, 0.35);
+    game::act(played, game::Move{Vec2(0, 3)});
+    game::act(played, game::Tilt{0.3});
+    game::advance(played, 0.9);
+    game::act(played, game::Release{});
+    game::advance(played, 1.234);
+    game::Run const run = game::run_of(played);
+    CHECK(run.inputs.size() == 4);
+    CHECK(run.method_name == "steps");
+    CHECK(run.rate == 240.0);
+    Session replayed = session_of(level, run.inputs);
+    game::advance(replayed, run.duration.value());
+    CHECK(game::state_hash(replayed, run.final->time) == run.final->state_hash);
+}
+
+TEST_CASE("when the player acts, inputs of a run that were to come are dropped") {
+    Session session = session_of(empty_level(Vec2::Zero()), drag());
+    game::advance(session, 0.2);
+    game::act(session, game::Release{});
+    game::advance(session, 1);
+    CHECK(session.inputs.size() == 2);
+    CHECK_FALSE(session.world.forces.pull);
+}
+
+TEST_CASE("bananas count from when the rim touches them, the goal from when the centre crosses it") {
+    level::Level level = empty_level(Vec2(1, 0));
+    physics::Sensor banana;
+    banana.region = physics::DiscRegion{Vec2(2, 0), 0.25};
+    banana.rim = true;
+    add_sensor(level, banana, level::Meaning::banana);
+    add_line(level, 2, level::Meaning::goal);
+    Session session = session_of(level);
+    game::advance(session, 3);
+    // At 1 m/s: 2 - 0.25 - 0.5 s and 2 s; a sensor answers to 1e-11 m and steps add rounding.
+    CHECK(std::abs(session.noticed_at[0] - 1.25) <= 1e-9);
+    CHECK(std::abs(session.goal_time.value() - 2) <= 1e-9);
+    CHECK(game::status_at(session, 1.2).bananas == 0);
+    CHECK(game::status_at(session, 1.3).bananas == 1);
+    CHECK_FALSE(game::status_at(session, 1.9).goal_time);
+    CHECK(game::status_at(session, 2.1).goal_time);
+}
+
+TEST_CASE("what happens first ends the game: no goal after a fall or when time is up") {
+    level::Level fallen = empty_level(Vec2(1, 0));
+    add_line(fallen, 1, level::Meaning::fall);
+    add_line(fallen, 2, level::Meaning::goal);
+    Session session = session_of(fallen);
+    game::advance(session, 3);
+    CHECK(game::status_at(session, 3).fall_time);
+    CHECK_FALSE(game::status_at(session, 3).goal_time);
+
+    level::Level late = empty_level(Vec2(1, 0));
+    add_line(late, 2, level::Meaning::goal);
+    late.time_limit = 1.5;
+    session = session_of(late);
+    game::advance(session, 3);
+    CHECK_FALSE(game::status_at(session, 1.5).out_of_time);
+    CHECK(game::status_at(session, 1.6).out_of_time);
+    CHECK_FALSE(game::status_at(session, 3).goal_time);
+}
+
+TEST_CASE("the state's hash is FNV-1a of its little-endian doubles") {
+    // From an independent program.
+    CHECK(game::state_hash(std::vector<physics::State>(1)) == "a09d945a1cd8d6e5");
+    CHECK(game::state_hash({{Vec2(1, -2), Vec2(0.5, 3), -4, 1e-3}, {Vec2(0.1, 0.2), Vec2(0.3, 0.4), 0.5, 0.6}}) ==
+          "2aed326b57bffd4b");
+}
+
+TEST_CASE("a method that this version does not have is objected to, and auto can be had") {
+    CHECK(game::objection_to({"exact", std::nullopt}).value().find("exact") != std::string::npos);
+    CHECK(game::objection_to({"guess", std::nullopt}));
+    CHECK(game::objection_to({std::nullopt, 0.0}));
+    CHECK(game::objection_to({std::nullopt, std::nan("")}));
+    CHECK_FALSE(game::objection_to({"article", 60.0}));
+    CHECK(game::rate_of(game::method_for({"article", 60.0}, {})) == 60);
+    CHECK(std::string(physics::name_of(game::method_for({"auto", std::nullopt}, {}))) == "steps");
+}
