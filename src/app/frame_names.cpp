@@ -1,5 +1,8 @@
 #include "app/frame_names.h"
 
+#include <charconv>
+#include <filesystem>
+
 #include "app/command.h"
 
 namespace app {
@@ -37,6 +40,21 @@ std::string FrameNames::name_of(long long number) const {
     std::string digits = std::to_string(number);
     if (digits.size() < width_) digits.insert(0, width_ - digits.size(), zeros_ ? '0' : ' ');
     return before_ + digits + after_;
+}
+
+std::optional<long long> FrameNames::number_in(std::string const& name) const {
+    std::string const file = std::filesystem::path(name).filename().string();
+    std::string const lead = before_.substr(before_.rfind('/') + 1);
+    if (file.size() <= lead.size() + after_.size()) return std::nullopt;
+    std::string const digits = file.substr(lead.size(), file.size() - lead.size() - after_.size());
+    std::size_t const first = digits.find_first_not_of(' ');
+    long long number = 0;
+    if (first == std::string::npos) return std::nullopt;
+    char const* const end = digits.data() + digits.size();
+    auto const [stopped, error] = std::from_chars(digits.data() + first, end, number);
+    if (error != std::errc{} || stopped != end) return std::nullopt;
+    bool const is_same = std::filesystem::path(name_of(number)).filename() == file;
+    return is_same ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace app

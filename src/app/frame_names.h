@@ -1,6 +1,7 @@
 // File names for frames, from a pattern such as frames/%05d.png.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace app {
@@ -11,7 +12,10 @@ public:
     explicit FrameNames(std::string const& pattern);
 
     bool has_number() const { return has_number_; }
+    bool numbers_folders() const { return after_.find('/') != std::string::npos; }
     std::string name_of(long long number) const;
+    // The frame whose file bears this name; its folder is not compared.
+    std::optional<long long> number_in(std::string const& name) const;
 
 private:
     std::string before_, after_;

@@ -47,7 +47,7 @@ std::vector<std::string> arranged(CLI::App const& program, std::vector<std::stri
 int run(std::vector<std::string> const& words) {
     CLI::App program(
         "Super Monkey Ball 2D: roll a ball with the mouse; render, record and simulate it without a display.", "smb2d");
-    program.footer("Without a subcommand: play. Example: smb2d assets/levels/hill.svg");
+    program.footer("Without a subcommand: play. Example: smb2d assets/levels/01-sunny-hills.svg");
     program.set_version_flag("--version", "smb2d " SMB2D_VERSION);
     program.require_subcommand(0, 1);
     std::vector<Command> const commands = commands_of(program);

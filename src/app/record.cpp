@@ -92,7 +92,7 @@ Command record_command(CLI::App& program) {
     CLI::App* const command = program.add_subcommand("record", "A video, no display needed");
     declare(*command, *options);
     command->add_option("-o,--output", options->output, "demo.mp4 or demo.mkv")->required()->type_name("FILE");
-    command->footer("Example: smb2d record assets/levels/hill.svg -o demo.mp4 --to 5");
+    command->footer("Example: smb2d record assets/levels/01-sunny-hills.svg -o demo.mp4 --to 5");
     return {command, [options] { return record(*options); }};
 }
 

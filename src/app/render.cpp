@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/command.h"
 #include "app/frame_names.h"
-#include "app/interrupt.h"
 #include "app/output.h"
 #include "app/sequence.h"
 #include "screen/png.h"
@@ -26,15 +26,31 @@ void expect_png(std::string const& pattern) {
         throw UsageError("--output must end in .png, or be - for raw frames, got \"" + pattern + "\"");
 }
 
-// All names of the sequence are looked at before the first is written.
+[[noreturn]] void refuse_to_replace(std::string const& name) {
+    throw std::runtime_error(name + ": is there already; --overwrite replaces it");
+}
+
+void expect_unused(std::string const& name) {
+    std::error_code error;
+    if (std::filesystem::exists(std::filesystem::symlink_status(name, error))) refuse_to_replace(name);
+}
+
+// All names of the sequence are looked at before the first is written: by what lies in their folder, since there may
+// be millions of them.
 void expect_unused(FrameNames const& names, long long first, long long count) {
-    for (long long i = 0; i < count; ++i) {
-        if (i % 1024 == 0) stop_if_interrupted();
-        std::string const name = names.name_of(first + i);
-        std::error_code error;
-        if (std::filesystem::exists(std::filesystem::symlink_status(name, error)))
-            throw std::runtime_error(name + ": is there already; --overwrite replaces it");
+    if (!names.has_number()) return expect_unused(names.name_of(first));
+    if (names.numbers_folders()) {
+        for (long long i = 0; i < count; ++i) expect_unused(names.name_of(first + i));
+        return;
     }
+    std::filesystem::path const folder = std::filesystem::path(names.name_of(first)).parent_path();
+    std::error_code missing;
+    std::optional<long long> least;
+    for (auto const& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, missing)) {
+        auto const number = names.number_in(entry.path().filename().string());
+        if (number && *number >= first && *number < first + count && (!least || *number < *least)) least = number;
+    }
+    if (least) refuse_to_replace(names.name_of(*least));
 }
 
 void make_folder_of(std::filesystem::path const& file) {
@@ -99,7 +115,7 @@ Command render_command(CLI::App& program) {
         ->type_name("PATTERN");
     command->add_option("--start-number", options->start_number, "the first file's number (default: 0)")
         ->type_name("N");
-    command->footer("Example: smb2d render assets/levels/hill.svg -o frames/%05d.png --to 5");
+    command->footer("Example: smb2d render assets/levels/01-sunny-hills.svg -o frames/%05d.png --to 5");
     return {command, [options] { return render(*options); }};
 }
 
