@@ -44,6 +44,10 @@ std::optional<Fault> apply(Method const&, Scene const& scene, World& world, Forc
     if (forces.pull && !geometry::is_finite(forces.pull->target)) return Fault{"the target of the pull is not finite"};
     if (forces.pull && (forces.pull->ball < 0 || forces.pull->ball >= static_cast<int>(scene.balls.size())))
         return Fault{"there is no ball " + std::to_string(forces.pull->ball)};
+    // What stands may move now: all of it under another gravity, else what is pulled or no longer is.
+    if (forces.tilt != world.forces.tilt) world.still_steps.clear();
+    for (auto const& pull : {world.forces.pull, forces.pull})
+        if (pull && pull->ball < static_cast<int>(world.still_steps.size())) world.still_steps[pull->ball] = 0;
     world.forces = forces;
     return std::nullopt;
 }

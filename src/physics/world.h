@@ -51,6 +51,7 @@ struct World {
     double step_origin = 0;      // s, where step 0 began
     long long steps_taken = 0;   // step n is at step_origin + n / rate
     std::vector<Touch> touches;  // stepping methods
+    std::vector<int> still_steps;  // by ball, for how many steps it has stood still; apply() clears it
 
     std::vector<Outlook> outlooks;  // exact method
     bool handed_over = false;       // the exact method has let `steps` take the world for now

@@ -1,0 +1,88 @@
+#include "physics/stepping.h"
+
+#include "geometry/elementary.h"
+#include "physics/steps_shape.h"
+
+namespace physics {
+
+Field field_on(Scene const& scene, Forces const& forces, int ball) {
+    Field field;
+    field.gravity = gravity_of(scene, forces);
+    if (!forces.pull || forces.pull->ball != ball || scene.drag.frequency <= 0) return field;
+    double const omega = 2 * geometry::pi * scene.drag.frequency;
+    field.pulled = true;
+    field.target = forces.pull->target;
+    field.spring = {scene.drag.damping * omega, omega * omega};
+    return field;
+}
+
+Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity, double time) {
+    if (!field.pulled)
+        return {position + time * velocity + (0.5 * time * time) * field.gravity, velocity + time * field.gravity};
+    geometry::Basis const basis = geometry::basis_at(field.spring, time);
+    Vec2 const equilibrium = field.target + field.gravity / field.spring.stiffness;
+    Vec2 const d = position - equilibrium;
+    geometry::Swing const x = swing_after(field.spring, basis, {d.x(), velocity.x()});
+    geometry::Swing const y = swing_after(field.spring, basis, {d.y(), velocity.y()});
+    return {equilibrium + Vec2(x.displacement, y.displacement), Vec2(x.rate, y.rate)};
+}
+
+void open_leg(World& world, History& history, int ball, double now) {
+    Leg& leg = world.legs[ball];
+    if (leg.since == now && std::holds_alternative<Straight>(leg.motion)) return;
+    State const state = at(leg, now);
+    history.legs[ball].back().until = now;
+    leg = {now, never, leg.phase, leg.contact, Straight{state, state.velocity, state.spin}};
+    history.legs[ball].push_back(leg);
+}
+
+void write_leg(World& world, History& history, int ball, double then, Standing const& next) {
+    Leg& leg = world.legs[ball];
+    Leg& closed = history.legs[ball].back();
+    Straight& chord = std::get<Straight>(closed.motion);
+    double const span = then - closed.since;
+    closed.until = then;
+    chord.rate = (next.state.position - chord.from.position) / span;
+    chord.angle_rate = (next.state.angle - chord.from.angle) / span;
+    leg = {then, never, next.phase, next.contact, Straight{next.state, next.state.velocity, next.state.spin}};
+    history.legs[ball].push_back(leg);
+}
+
+namespace {
+
+EventKind kind_of_change(Terrain const& terrain, Contact const& before, Contact const& after) {
+    if (after.feature < 0) return EventKind::lift;
+    if (before.feature < 0) return EventKind::land;
+    if (terrain.is_vertex(after.feature)) return EventKind::corner;
+    if (terrain.is_vertex(before.feature) || meet_smoothly(terrain, before.feature, after.feature))
+        return EventKind::joint;
+    return EventKind::land;
+}
+
+void tell(EventKind kind, Leg const& after, Contact const& contact, int ball, History& history) {
+    history.events.push_back({after.since, kind, ball, std::get<Straight>(after.motion).from, contact, -1});
+}
+
+}  // namespace
+
+void tell_contact_change(Terrain const& terrain, Leg const& before, Leg const& after, int ball, History& history) {
+    if (before.contact == after.contact) return;
+    EventKind const kind = kind_of_change(terrain, before.contact, after.contact);
+    tell(kind, after, kind == EventKind::lift ? before.contact : after.contact, ball, history);
+}
+
+void tell_phase_change(Leg const& before, Leg const& after, int ball, History& history) {
+    if (before.phase == after.phase) return;
+    if (after.phase == Phase::rest) tell(EventKind::rest, after, after.contact, ball, history);
+    if (before.phase == Phase::slide && after.phase == Phase::roll)
+        tell(EventKind::grip, after, after.contact, ball, history);
+    if (after.phase == Phase::slide && (before.phase == Phase::roll || before.phase == Phase::rest))
+        tell(EventKind::slip, after, after.contact, ball, history);
+}
+
+void sort_events(History& history, std::size_t first) {
+    std::stable_sort(history.events.begin() + static_cast<std::ptrdiff_t>(first), history.events.end(),
+                     [](Event const& a, Event const& b) { return a.time < b.time; });
+}
+
+}  // namespace physics

@@ -1,0 +1,57 @@
+// What the stepping methods share: the clock of counted steps, the force on a ball, legs, and events told from changes.
+#pragma once
+
+#include <algorithm>
+
+#include "geometry/oscillator.h"
+#include "physics/world.h"
+
+namespace physics {
+
+// Counted, not summed: no drift however long the run.
+inline double time_of_step(World const& world, double rate, long long n) {
+    return world.step_origin + static_cast<double>(n) / rate;
+}
+
+// All that acts on one ball between contacts: gravity, and the drag spring on the ball that is pulled.
+struct Field {
+    Vec2 gravity = Vec2::Zero();  // m/s^2
+    bool pulled = false;
+    Vec2 target = Vec2::Zero();  // m
+    geometry::Oscillator spring;
+};
+Field field_on(Scene const& scene, Forces const& forces, int ball);
+
+inline Vec2 acceleration_in(Field const& field, Vec2 const& position, Vec2 const& velocity) {
+    if (!field.pulled) return field.gravity;
+    return field.gravity + field.spring.stiffness * (field.target - position) - (2 * field.spring.decay) * velocity;
+}
+
+// Position and velocity after `time` without contact, exactly: a parabola, or a damped swing about the equilibrium.
+struct Flight {
+    Vec2 position = Vec2::Zero();
+    Vec2 velocity = Vec2::Zero();
+};
+Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity, double time);
+
+// How a ball is at a step's end.
+struct Standing {
+    State state;
+    Phase phase = Phase::flight;
+    Contact contact;
+};
+
+// Ends the ball's leg at the clock's present time if it began earlier, so that the next chord spans one step only.
+void open_leg(World& world, History& history, int ball, double now);
+// Ends the ball's leg, begun at world.time, at `then`, and begins the next.
+void write_leg(World& world, History& history, int ball, double then, Standing const& next);
+
+// The event that a change of contact within one step amounts to, for methods that do not see it happen.
+void tell_contact_change(Terrain const& terrain, Leg const& before, Leg const& after, int ball, History& history);
+// Likewise the beginning and end of slip, and rest.
+void tell_phase_change(Leg const& before, Leg const& after, int ball, History& history);
+
+// Puts events [first, end) in the order of time, those of one time as they stand.
+void sort_events(History& history, std::size_t first);
+
+}  // namespace physics

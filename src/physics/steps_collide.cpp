@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cmath>
+
+#include "physics/steps_pairs.h"
+
+namespace physics {
+
+using geometry::dot;
+using geometry::length;
+
+namespace {
+
+constexpr int most_passes = 32;    // over all pairs in one substep
+constexpr double unmoving = 1e-9;  // share of the speeds: slower closing is rounding
+constexpr double parted = 5e-3;    // share of the smaller radius: a gap at which balls no longer lean on each other
+
+// The way of one ball since its last departure, as a chord.
+Vec2 on_the_way(Stage const& stage, int ball, double time, double length_of_substep) {
+    Departure const& from = stage.departures[ball];
+    Vec2 const& to = stage.travellers[ball].state.position;
+    double const span = length_of_substep - from.time;
+    if (span <= 0) return to;
+    return from.state.position + ((time - from.time) / span) * (to - from.state.position);
+}
+
+// When the two first touch on their chords, or `never`. Balls that overlap from the start touch then if they close.
+double touching_time(Stage const& stage, Encounter const& e, double end) {
+    double const start = std::max(stage.departures[e.first].time, stage.departures[e.second].time);
+    Vec2 const d0 = on_the_way(stage, e.second, start, end) - on_the_way(stage, e.first, start, end);
+    Vec2 const d1 = stage.travellers[e.second].state.position - stage.travellers[e.first].state.position;
+    double const reach = stage.travellers[e.first].ball->radius + stage.travellers[e.second].ball->radius;
+    Vec2 const way = d1 - d0;
+    double const a = dot(way, way), b = dot(d0, way);
+    if (b >= 0) return never;
+    double const c = dot(d0, d0) - reach * reach;
+    if (c <= 0) return start;
+    double const square = b * b - a * c;
+    if (square < 0) return never;
+    double const share = c / (std::sqrt(square) - b);
+    return share <= 1 ? start + share * (end - start) : never;
+}
+
+void forget_events(std::deque<Event>& events, int ball, double from) {
+    while (!events.empty() && events.back().ball == ball && events.back().kind != EventKind::hit &&
+           events.back().time > from)
+        events.pop_back();
+    auto const late = [&](Event const& e) { return e.ball == ball && e.time > from && e.kind != EventKind::hit; };
+    events.erase(std::remove_if(events.begin(), events.end(), late), events.end());
+}
+
+// Takes a ball back to `time` within the substep.
+void go_back(Stage& stage, Substep const& substep, int ball, double time) {
+    Traveller& traveller = stage.travellers[ball];
+    if (stage.asleep[ball]) return;
+    if (stage.leaning[ball]) {
+        traveller.state.position = on_the_way(stage, ball, time, substep.length);
+        return;
+    }
+    Departure const& from = stage.departures[ball];
+    forget_events(substep.events, ball, substep.since + from.time);
+    traveller.state = from.state;
+    traveller.contact = from.contact;
+    travel({substep.terrain, substep.since, time, substep.pace, substep.events}, traveller, from.time);
+}
+
+// A ball on the ground that was knocked by another: it comes off, or is pressed on and the ground answers.
+void answer_ground(Substep const& substep, Traveller& traveller, double now) {
+    if (traveller.contact.feature < 0) return;
+    Shape const shape = shape_of(substep.terrain, traveller.contact.feature);
+    Sight const sight = sight_of(substep.terrain, shape, traveller.state.position);
+    double const leaving = dot(traveller.state.velocity, sight.normal);
+    if (leaving > unmoving * length(traveller.state.velocity))
+        return change_contact(substep, traveller, EventKind::lift, no_contact, now);
+    double const e = shape.material->restitution;
+    Vec2 const a = acceleration_in(traveller.field, traveller.state.position, traveller.state.velocity);
+    bool const bounces = -e * leaving > length(a) * substep.pace;
+    traveller.state =
+        after_impact(traveller.state, *traveller.ball, sight.normal, bounces ? e : 0, shape.material->friction).state;
+    if (!bounces) return;
+    change_contact(substep, traveller, EventKind::bounce, {shape.feature, sight.side}, now);
+    traveller.contact = no_contact;
+}
+
+void go_on(Stage& stage, Substep const& substep, int ball, double time) {
+    Traveller& traveller = stage.travellers[ball];
+    stage.asleep[ball] = 0;
+    traveller.still = false;
+    answer_ground(substep, traveller, time);
+    stage.departures[ball] = {traveller.state, traveller.contact, time};
+    travel(substep, traveller, time);
+}
+
+// How hard two touching balls are pressed together by what acts on them, as far as it can be told: two in free flight
+// fall alike, but ground beneath one, or a third ball, may hold it against the other.
+double pressing_on(Stage const& stage, Encounter const& e, Vec2 const& normal) {
+    Traveller const& a = stage.travellers[e.first];
+    Traveller const& b = stage.travellers[e.second];
+    Vec2 const pull_a = acceleration_in(a.field, a.state.position, a.state.velocity);
+    Vec2 const pull_b = acceleration_in(b.field, b.state.position, b.state.velocity);
+    bool const held =
+        a.contact.feature >= 0 || b.contact.feature >= 0 || stage.leaning[e.first] || stage.leaning[e.second];
+    if (held) return std::max(length(pull_a), length(pull_b));
+    return std::max(0.0, dot(pull_a - pull_b, normal));
+}
+
+double closing_of(Stage const& stage, Encounter const& e) {
+    State const& a = stage.travellers[e.first].state;
+    State const& b = stage.travellers[e.second].state;
+    Vec2 const d = b.position - a.position;
+    double const distance = length(d);
+    return distance > 0 ? -dot(b.velocity - a.velocity, d) / distance : 0;
+}
+
+// Both balls are where they touch. Answers whether anything happened.
+void hit(Stage& stage, Substep const& substep, Encounter& e, double time) {
+    Traveller& a = stage.travellers[e.first];
+    Traveller& b = stage.travellers[e.second];
+    Vec2 const d = b.state.position - a.state.position;
+    double const distance = length(d);
+    Vec2 const normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
+    double const pressing = pressing_on(stage, e, normal);
+    double const restitution = restitution_between(*a.ball, *b.ball);
+    double const closing = closing_of(stage, e);
+    bool const bounces = restitution * closing > 2 * pressing * substep.pace;
+    PairImpact const impact = after_pair_impact(a.state, *a.ball, b.state, *b.ball, normal, bounces ? restitution : 0);
+    a.state = impact.first;
+    b.state = impact.second;
+    if (!bounces && pressing > 0) e.leaning = true;
+    if (closing > 2 * pressing * substep.pace)
+        substep.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
+}
+
+bool collides(Stage& stage, Substep const& substep, Encounter& e) {
+    if (stage.asleep[e.first] && stage.asleep[e.second]) return false;
+    double const time = touching_time(stage, e, substep.length);
+    if (time > substep.length) return false;
+    double const speeds =
+        length(stage.travellers[e.first].state.velocity) + length(stage.travellers[e.second].state.velocity);
+    if (e.leaning) {
+        Vec2 const pull = stage.travellers[e.first].field.gravity;
+        if (closing_of(stage, e) <= 8 * length(pull) * substep.pace + unmoving * speeds) return false;
+    }
+    Traveller const first = stage.travellers[e.first], second = stage.travellers[e.second];
+    go_back(stage, substep, e.first, time);
+    go_back(stage, substep, e.second, time);
+    if (closing_of(stage, e) <= unmoving * speeds) {
+        stage.travellers[e.first] = first;
+        stage.travellers[e.second] = second;
+        return false;
+    }
+    hit(stage, substep, e, time);
+    go_on(stage, substep, e.first, time);
+    go_on(stage, substep, e.second, time);
+    return true;
+}
+
+void part(Stage& stage) {
+    for (Encounter& e : stage.encounters) {
+        if (!e.leaning) continue;
+        Traveller const& a = stage.travellers[e.first];
+        Traveller const& b = stage.travellers[e.second];
+        double const reach = a.ball->radius + b.ball->radius;
+        double const slack = parted * std::min(a.ball->radius, b.ball->radius);
+        if (length(b.state.position - a.state.position) <= reach + slack) continue;
+        e.leaning = false;
+        e.impulse = {};
+    }
+}
+
+}  // namespace
+
+void collide(Stage& stage, Substep const& substep) {
+    for (int i = 0; i < most_passes; ++i) {
+        find_encounters(stage, substep.pace);
+        bool any = false;
+        for (Encounter& e : stage.encounters) any = collides(stage, substep, e) || any;
+        if (!any) break;
+    }
+    part(stage);
+}
+
+}  // namespace physics

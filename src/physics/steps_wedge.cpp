@@ -1,0 +1,78 @@
+// A ball pressed against two surfaces at once: the impulses of both, found together (physics.md 2.12).
+#include <algorithm>
+#include <cmath>
+
+#include "physics/steps_travel.h"
+
+namespace physics {
+
+using geometry::dot;
+
+namespace {
+
+constexpr int most_rounds = 100;   // over both contacts; a narrow groove converges slowly
+constexpr double settled = 1e-13;  // share of the impulses by which the last round may still change them
+constexpr double standing = 1e-7;  // m/s
+
+// One of the two contacts with the impulses gathered so far, per unit mass.
+struct Hold {
+    Vec2 normal = Vec2::Zero();
+    Vec2 tangent = Vec2::Zero();
+    double friction = 0;
+    Impulse impulse;
+};
+
+Hold hold_on(Terrain const& terrain, Shape const& shape, Vec2 const& centre) {
+    Sight const sight = sight_of(terrain, shape, centre);
+    return {sight.normal, geometry::turned_right(sight.normal), shape.material->friction, {}};
+}
+
+// Adds to the hold's impulses what keeps the ball from closing and slipping; answers by how much they changed.
+double press(Hold& hold, State& state, Ball const& ball) {
+    double const k = ball.inertia;
+    Impulse const before = hold.impulse;
+    hold.impulse.normal = std::max(0.0, before.normal - dot(state.velocity, hold.normal));
+    state.velocity += (hold.impulse.normal - before.normal) * hold.normal;
+    double const slip = dot(state.velocity, hold.tangent) + ball.radius * state.spin;
+    double const most = hold.impulse.normal > 0 ? hold.friction * hold.impulse.normal : 0;
+    hold.impulse.tangent = std::clamp(before.tangent - slip * k / (1 + k), -most, most);
+    double const change = hold.impulse.tangent - before.tangent;
+    state.velocity += change * hold.tangent;
+    state.spin += change / (k * ball.radius);
+    return std::abs(hold.impulse.normal - before.normal) + std::abs(change);
+}
+
+// The couple against rolling, as far as it does not turn the spin round.
+double resisted(double spin, double couple) {
+    return spin < 0 ? std::min(0.0, spin + couple) : std::max(0.0, spin - couple);
+}
+
+}  // namespace
+
+void wedge_between(Substep const& substep, Traveller& traveller, Shape const& one, Shape const& other, double time) {
+    if (time <= 0) return;
+    State& state = traveller.state;
+    Ball const& ball = *traveller.ball;
+    State const before = state;
+    Hold a = hold_on(substep.terrain, one, state.position), b = hold_on(substep.terrain, other, state.position);
+    state.velocity = flight_in(traveller.field, state.position, state.velocity, time).velocity;
+    for (int i = 0; i < most_rounds; ++i) {
+        double const change = press(a, state, ball) + press(b, state, ball);
+        if (change <= settled * (a.impulse.normal + b.impulse.normal)) break;
+    }
+    double const resistance =
+        one.material->rolling_resistance * a.impulse.normal + other.material->rolling_resistance * b.impulse.normal;
+    state.spin = resisted(state.spin, resistance / (ball.inertia * ball.radius));
+    state.position += (0.5 * time) * (before.velocity + state.velocity);
+    state.angle += 0.5 * time * (before.spin + state.spin);
+    traveller.impulse = a.impulse;
+    if (a.impulse.normal == 0 && b.impulse.normal > 0) {
+        Sight const sight = sight_of(substep.terrain, other, state.position);
+        traveller.contact = {other.feature, sight.side};
+    }
+    double const limit = standing;
+    traveller.still = geometry::length(before.velocity) <= limit && geometry::length(state.velocity) <= limit &&
+                      std::abs(state.spin) * ball.radius <= limit;
+}
+
+}  // namespace physics
