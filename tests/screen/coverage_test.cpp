@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "screen/coverage.h"
+
+using geometry::Vec2;
+using screen::even_odd_coverage;
+using Rings = std::vector<std::vector<Vec2>>;
+
+namespace {
+
+// Half a level of rounding, as a share of a pixel.
+constexpr double half_level = 0.5001 / 255;
+
+double value_at(screen::Coverage const& coverage, int x, int y) {
+    x -= coverage.left;
+    y -= coverage.top;
+    if (x < 0 || y < 0 || x >= coverage.width || y >= coverage.height) return 0;
+    return coverage.values[static_cast<std::size_t>(y * coverage.width + x)] / 255.0;
+}
+
+double total(screen::Coverage const& coverage) {
+    double sum = 0;
+    for (auto const value : coverage.values) sum += value / 255.0;
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a half-plane covers each pixel by the exact area") {
+    // Below the line y = 10.3 + x / 4, which leaves no pixel of these columns through its top or bottom.
+    auto const coverage = even_odd_coverage({{{-50, 10.3 - 12.5}, {100, 10.3 + 25}, {100, 90}, {-50, 90}}}, 60, 40);
+    for (int x = 0; x < 60; ++x)
+        for (int y = 0; y < 40; ++y) {
+            double const left = 10.3 + x / 4.0, right = left + 0.25;
+            if (std::floor(left) != std::floor(right)) continue;
+            double const inside = std::clamp(y + 1 - (left + right) / 2, 0.0, 1.0);
+            CHECK(std::abs(value_at(coverage, x, y) - inside) <= half_level);
+        }
+}
+
+TEST_CASE("a triangle's coverage adds up to its area, in whatever direction it is drawn") {
+    Rings const one{{{3.3, 2.1}, {37.7, 9.2}, {12.4, 29.9}}};
+    Rings const other{{one[0][2], one[0][1], one[0][0]}};
+    double const area = 0.5 * std::abs((37.7 - 3.3) * (29.9 - 2.1) - (12.4 - 3.3) * (9.2 - 2.1));
+    // Each pixel of the edge, a hundred or so, is rounded by up to half a level.
+    CHECK(std::abs(total(even_odd_coverage(one, 40, 32)) - area) < 0.1);
+    CHECK(even_odd_coverage(one, 40, 32).values == even_odd_coverage(other, 40, 32).values);
+}
+
+TEST_CASE("what lies outside of the frame is cut off, on all sides") {
+    auto const coverage = even_odd_coverage({{{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}}}, 30, 20);
+    CHECK(total(coverage) == 600);
+    CHECK(even_odd_coverage({{{-9, -9}, {-2, -9}, {-2, 50}, {-9, 50}}}, 30, 20).values.empty());
+    CHECK(even_odd_coverage({{{40, 2}, {50, 2}, {50, 5}}}, 30, 20).values.empty());
+    // Half of it lies to the left: a diamond around the left edge's middle.
+    CHECK(std::abs(total(even_odd_coverage({{{-8, 10}, {0, 2}, {8, 10}, {0, 18}}}, 30, 20)) - 64) < 0.1);
+}
+
+TEST_CASE("two rings over each other leave a hole, wherever they turn") {
+    std::vector<Vec2> const outer{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, inner{{5, 5}, {15, 5}, {15, 15}, {5, 15}},
+        turned{{5, 15}, {15, 15}, {15, 5}, {5, 5}};
+    CHECK(total(even_odd_coverage({outer, inner}, 30, 30)) == 300);
+    CHECK(total(even_odd_coverage({outer, turned}, 30, 30)) == 300);
+    CHECK(total(even_odd_coverage({outer, outer}, 30, 30)) == 0);
+}
+
+TEST_CASE("rings with fewer than three points, or none, cover nothing") {
+    CHECK(total(even_odd_coverage({}, 9, 9)) == 0);
+    CHECK(total(even_odd_coverage({{}}, 9, 9)) == 0);
+    CHECK(total(even_odd_coverage({{{3, 3}}}, 9, 9)) == 0);
+    CHECK(total(even_odd_coverage({{{3, 3}, {7, 8}}}, 9, 9)) == 0);
+}

@@ -1,0 +1,27 @@
+// Small pictures that the tests of the screen share.
+#pragma once
+
+#include "screen/pixels.h"
+#include "view/picture.h"
+
+namespace samples {
+
+using view::Vec2;
+
+constexpr view::Colour black{0, 0, 0, 1}, white{1, 1, 1, 1}, red{1, 0, 0, 1}, blue{0, 0, 1, 1};
+
+// Nothing but the colour.
+view::Picture plain(int width, int height, view::Colour const& colour);
+
+view::Picture shapes();  // discs, strokes, arcs, panels
+view::Picture ground();  // areas with a hole, grain, shadow, lit edge
+view::Picture balls();   // shells of several sizes, angles and liveries
+view::Picture letters();
+
+struct Rgb {
+    int red = 0, green = 0, blue = 0;
+    bool operator==(Rgb const&) const = default;
+};
+Rgb at(screen::Pixels const& pixels, int x, int y);
+
+}  // namespace samples
