@@ -39,17 +39,19 @@ void add_shadow(std::vector<Shape>& shapes, physics::Terrain const& terrain, Vec
     double const height = std::max(0.0, ground.nearest.distance / radius - 1) / (reach - 1);
     float const strength = static_cast<float>((1 - height) * (1 - height));
     Vec2 const along = geometry::turned_right(normal);
-    double const thickness = 0.1 * radius;
-    Vec2 const middle = ground.nearest.point - 0.75 * thickness * normal;
-    for (int layer = 0; layer < 4; ++layer) {
-        double const half = radius * (0.78 - 0.3 * height) * (1 - 0.2 * layer);
-        Vec2 const from = pixel_of(camera, middle - half * along), to = pixel_of(camera, middle + half * along);
-        double const width = thickness * (1.5 - 0.25 * layer) * camera.scale;
-        shapes.emplace_back(Stroke{from, to, width, faded(palette::shadow, 0.32f * strength)});
+    // Soft spots in a row look like one flat one.
+    int constexpr spots = 13;
+    double const half = radius * (0.8 - 0.25 * height);
+    double const soft = 0.2 * radius * camera.scale;
+    for (int i = 0; i < spots; ++i) {
+        double const share = 2.0 * i / (spots - 1) - 1;
+        Vec2 const at = pixel_of(camera, ground.nearest.point + share * half * along - 0.06 * radius * normal);
+        float const alpha = 0.28f * strength * static_cast<float>(1 - share * share);
+        shapes.emplace_back(Disc{at, 0.5 * soft, faded(palette::shadow, alpha), {}, 0, soft});
     }
     Vec2 const spot = pixel_of(camera, ground.nearest.point - 0.05 * radius * normal);
-    double const soft = 0.42 * radius * camera.scale;
-    shapes.emplace_back(Disc{spot, soft, faded(palette::shadow, 0.9f * strength), {}, 0, soft});
+    double const deep = 0.36 * radius * camera.scale;
+    shapes.emplace_back(Disc{spot, 0.6 * deep, faded(palette::shadow, 0.8f * strength), {}, 0, deep});
 }
 
 std::vector<Vec2> crescent(double outer_bend, double inner_bend) {
@@ -113,8 +115,8 @@ void add_spark(std::vector<Shape>& shapes, Vec2 const& at, double size, double a
         Vec2 const from = at + way * size * (0.9 + 1.5 * share);
         shapes.emplace_back(Stroke{from, from + way * size * 0.35 * left, 0.12 * size, faded(palette::bright, left)});
     }
-    shapes.emplace_back(
-        Label{at - Vec2(0, size * (0.6 + 1.6 * share)), 1.1 * size, "+1", faded(palette::ink, left), Anchor::Centre});
+    shapes.emplace_back(Label{at - Vec2(0, size * (0.7 + 1.6 * share)), 1.7 * size, "+1", faded(palette::bright, left),
+                              Anchor::Centre});
 }
 
 }  // namespace

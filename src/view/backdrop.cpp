@@ -16,11 +16,14 @@ struct Distance {
     double metre = 80;          // pixels
     Vec2 shift = Vec2::Zero();  // m by which the camera has left the level's middle
     Vec2 size = Vec2::Zero();   // pixels
+    double foot = 720;          // pixels, where the hills stand
+    double unit = 80;           // pixels, a metre of a level that just fits
 };
 
 Distance distance_of(level::Level const& level, Camera const& camera) {
-    double const natural = camera.size.y() / whole_height;
-    return {natural * std::pow(camera.scale / natural, 0.3), camera.centre - level.size / 2, camera.size};
+    double const unit = std::min(camera.size.x() / whole_width, camera.size.y() / whole_height);
+    double const foot = camera.size.y() / 2 + unit * whole_height / 2;
+    return {unit * std::pow(camera.scale / unit, 0.3), camera.centre - level.size / 2, camera.size, foot, unit};
 }
 
 struct Ridge {
@@ -37,7 +40,14 @@ double ridge_height(Ridge const& ridge, double x) {
     return ridge.height + ridge.swing * (std::sin(u * 2.1) + 0.5 * std::sin(u * 4.7 + 1.3) + 0.22 * std::sin(u * 11.3));
 }
 
-Area ridge_area(Ridge const& ridge, Distance const& distance) {
+// Pixels: no point of its crest is below this.
+double ridge_foot(Ridge const& ridge, Distance const& distance) {
+    double const lowest = ridge.height - 1.72 * ridge.swing - ridge.nearness * distance.shift.y();
+    return distance.foot - lowest * distance.metre + 2;
+}
+
+// Down to `floor`, below which nearer things hide the ridge.
+Area ridge_area(Ridge const& ridge, Distance const& distance, double floor) {
     Area area;
     std::vector<Vec2>& ring = area.rings.emplace_back();
     int constexpr pieces = 96;
@@ -46,14 +56,14 @@ Area ridge_area(Ridge const& ridge, Distance const& distance) {
     for (int i = 0; i <= pieces; ++i) {
         double const x = -margin + (distance.size.x() + 2 * margin) * i / pieces;
         double const metres = (x - distance.size.x() / 2) / distance.metre + ridge.nearness * distance.shift.x();
-        ring.push_back({x, distance.size.y() - (ridge_height(ridge, metres) - drop) * distance.metre});
+        ring.push_back({x, distance.foot - (ridge_height(ridge, metres) - drop) * distance.metre});
     }
-    ring.push_back({distance.size.x() + margin, distance.size.y() + margin});
-    ring.push_back({-margin, distance.size.y() + margin});
+    ring.push_back({distance.size.x() + margin, floor});
+    ring.push_back({-margin, floor});
     area.paint.top = ridge.crest;
     area.paint.bottom = ridge.foot;
-    area.paint.top_y = distance.size.y() - (ridge.height + 2 * ridge.swing - drop) * distance.metre;
-    area.paint.bottom_y = distance.size.y() - (ridge.height - 2.2 - drop) * distance.metre;
+    area.paint.top_y = distance.foot - (ridge.height + 2 * ridge.swing - drop) * distance.metre;
+    area.paint.bottom_y = distance.foot - (ridge.height - 2.2 - drop) * distance.metre;
     return area;
 }
 
@@ -74,14 +84,14 @@ void add_cloud(std::vector<Shape>& shapes, Vec2 const& at, double size) {
 void add_sky(std::vector<Shape>& shapes, Distance const& distance) {
     shapes.emplace_back(Sky{palette::sky_top, palette::sky_bottom});
     Vec2 const sun(distance.size.x() * 0.8, distance.size.y() * 0.17);
-    double const unit = distance.size.y() / 9;
+    double const unit = distance.unit;
     shapes.emplace_back(Disc{sun, 2.4 * unit, palette::sun_glow, {}, 0, 2.2 * unit});
     shapes.emplace_back(Disc{sun, 0.62 * unit, palette::sun, {}, 0, 0.06 * unit});
     struct Place {
         double x, y, size;
     };
     Place const places[] = {{2.5, 1.5, 0.62}, {7.2, 0.95, 0.42}, {10.4, 2.2, 0.5}, {15, 1.3, 0.55}, {18.6, 2.0, 0.66}};
-    double constexpr period = 21;  // m
+    double const period = std::max(21.0, distance.size.x() / unit + 5);  // m
     for (Place const& place : places) {
         double const drift = place.x - 0.06 * distance.shift.x() + 2.5;
         double const x = drift - period * std::floor(drift / period) - 2.5;
@@ -94,7 +104,12 @@ void add_hills(std::vector<Shape>& shapes, Distance const& distance) {
     Ridge const ridges[] = {{0.08, 3.9, 0.55, 4.2, 0.4, palette::far_hill, palette::far_foot},
                             {0.16, 2.7, 0.5, 3.3, 2.9, palette::middle_hill, palette::middle_foot},
                             {0.28, 1.5, 0.45, 2.8, 5.1, palette::near_hill, palette::near_foot}};
-    for (Ridge const& ridge : ridges) shapes.emplace_back(ridge_area(ridge, distance));
+    int constexpr count = 3;
+    for (int i = 0; i < count; ++i) {
+        double floor = distance.size.y() + 4;
+        if (i + 1 < count) floor = std::min(floor, ridge_foot(ridges[i + 1], distance));
+        shapes.emplace_back(ridge_area(ridges[i], distance, floor));
+    }
 }
 
 Colour css_colour(std::string const& text, double opacity) {

@@ -2,29 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
 
-#include "view/palette.h"
-#include "view/polygon.h"
+#include "view/bodies.h"
 
 namespace view {
 
 namespace {
 
-constexpr double flatness = 0.0005;       // m: how far a chord may lie from its arc
-constexpr double grass_spacing = 0.12;    // m
-constexpr double ribbon_thickness = 0.3;  // m: the body of terrain that encloses nothing
-constexpr double turf_depth = 0.17;       // m, where the ground is level
+constexpr double turf_depth = 0.17;                                        // m, where the ground is level
 constexpr double rim_depth = 0.05, shade_depth = 0.22, lit_depth = 0.045;  // m
-
-// A piece of ground: its edge that balls touch, and the rings that are filled with earth.
-struct Body {
-    Ring edge;
-    Closing closing = Closing::closed;
-    std::vector<Vec2> into;  // by point of the edge, into the earth
-    std::vector<Ring> rings;
-    double girth = 1;  // m, how thick the earth is, roughly
-};
 
 double smooth_step(double low, double high, double x) {
     double const t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -37,248 +24,110 @@ double noise_at(double x, double y, double salt) {
     return wave - std::floor(wave);
 }
 
-void reverse_side(std::vector<Vec2>& left) {
-    for (Vec2& v : left) v = -v;
-}
-
-std::vector<Vec2> actors_of(level::Level const& level) {
-    std::vector<Vec2> actors;
-    for (physics::Ball const& ball : level.scene.balls) actors.push_back(ball.start.position);
-    for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
-        if (level.meanings[i] == level::Meaning::fall) continue;
-        if (auto const* disc = std::get_if<physics::DiscRegion>(&level.scene.sensors[i].region))
-            actors.push_back(disc->centre);
-    }
-    return actors;
-}
-
-double perimeter_of(Ring const& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) sum += geometry::length(ring[(i + 1) % ring.size()] - ring[i]);
-    return sum;
-}
-
-// Terrain that encloses nothing, or encloses the play: a wall of even thickness beyond the edge.
-Body wall_of(Ring edge, Closing closing, std::vector<Vec2> into) {
-    Body body{std::move(edge), closing, std::move(into), {}, ribbon_thickness};
-    body.rings = band_along(body.edge, body.into, closing, [](std::size_t) { return ribbon_thickness; });
-    return body;
-}
-
-bool runs_one_way(Ring const& points) {
-    double const way = points.back().x() - points.front().x();
-    for (std::size_t i = 1; i < points.size(); ++i)
-        if ((points[i].x() - points[i - 1].x()) * way < -1e-9) return false;
-    return way != 0;
-}
-
-// An open outline that crosses the level like a landscape, with nothing of the play beneath it, is filled below.
-std::optional<Body> landscape_of(Ring const& edge, level::Level const& level, std::vector<Vec2> const& others) {
-    double const way = edge.back().x() - edge.front().x();
-    if (!runs_one_way(edge) || std::abs(way) < 0.25 * level.size.x()) return std::nullopt;
-    Body body{edge, Closing::open, left_of(edge, Closing::open), {}, 2};
-    if (way > 0) reverse_side(body.into);
-    geometry::Box const box = box_of_ring(edge);
-    double const bottom = std::min(box.low.y(), 0.0) - std::max(level.size.y(), whole_height);
-    Ring ring = edge;
-    ring.push_back({edge.back().x(), bottom});
-    ring.push_back({edge.front().x(), bottom});
-    for (Vec2 const& point : others)
-        if (contains(ring, point)) return std::nullopt;
-    body.rings = {ring};
-    return body;
-}
-
-Body open_body(Ring const& edge, level::Level const& level, std::vector<Vec2> const& others) {
-    if (std::optional<Body> body = landscape_of(edge, level, others)) return *body;
-    // Balls roll on the upper side; beside an upright wall they are where most of the level is.
-    Vec2 const way = edge.back() - edge.front();
-    std::vector<Vec2> into = left_of(edge, Closing::open);
-    bool const upright = std::abs(way.x()) < 0.2 * std::abs(way.y());
-    Vec2 const middle = (edge.back() + edge.front()) / 2;
-    bool const play_left = upright ? geometry::wedge(way, level.size / 2 - middle) > 0 : way.x() >= 0;
-    if (play_left) reverse_side(into);
-    return wall_of(edge, Closing::open, std::move(into));
-}
-
-// Which closed outlines have the play inside: for every actor that an odd number of them surrounds, the outermost.
-std::vector<bool> rooms_among(std::vector<Ring> const& rings, std::vector<Vec2> const& actors) {
-    std::vector<bool> room(rings.size(), false);
-    for (Vec2 const& actor : actors) {
-        int around = 0;
-        std::size_t outermost = 0;
-        double largest = -1;
-        for (std::size_t i = 0; i < rings.size(); ++i) {
-            if (room[i] || !contains(rings[i], actor)) continue;
-            ++around;
-            double const area = std::abs(signed_area(rings[i]));
-            if (area > largest) outermost = i, largest = area;
-        }
-        if (around % 2 == 1) room[outermost] = true;
-    }
-    return room;
-}
-
-Body solid_body(Ring const& ring) {
-    Body body{ring, Closing::closed, left_of(ring, Closing::closed), {ring}, 1};
-    double const area = signed_area(ring);
-    if (area < 0) reverse_side(body.into);
-    body.girth = 2 * std::abs(area) / std::max(perimeter_of(ring), 1e-9);
-    return body;
-}
-
-// Solids and the holes in them: a ring inside an odd number of others bounds the earth around it.
-void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::vector<bool> const& room) {
-    std::vector<int> body_of(rings.size(), -1);
-    auto const surrounders = [&](std::size_t i) {
-        std::vector<std::size_t> around;
-        for (std::size_t j = 0; j < rings.size(); ++j) {
-            if (j == i || room[j]) continue;
-            bool const within = std::all_of(rings[i].begin(), rings[i].end(),
-                                            [&](Vec2 const& point) { return contains(rings[j], point); });
-            if (within) around.push_back(j);
-        }
-        return around;
-    };
-    std::vector<std::size_t> holes;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        if (room[i]) continue;
-        if (surrounders(i).size() % 2 == 1) {
-            holes.push_back(i);
-            continue;
-        }
-        body_of[i] = static_cast<int>(bodies.size());
-        bodies.push_back(solid_body(rings[i]));
-    }
-    for (std::size_t hole : holes) {
-        std::size_t parent = hole;
-        double smallest = 1e300;
-        for (std::size_t j : surrounders(hole)) {
-            double const area = std::abs(signed_area(rings[j]));
-            if (body_of[j] >= 0 && area < smallest) parent = j, smallest = area;
-        }
-        if (parent == hole) continue;
-        bodies[static_cast<std::size_t>(body_of[parent])].rings.push_back(rings[hole]);
-        Body edge = solid_body(rings[hole]);
-        reverse_side(edge.into);
-        edge.rings.clear();
-        edge.girth = 1;
-        bodies.push_back(std::move(edge));
-    }
-}
-
-std::vector<Body> bodies_of(level::Level const& level) {
-    std::vector<Body> bodies;
-    std::vector<Ring> closed, open;
-    for (level::Outline const& outline : level.outlines) {
-        Ring points = points_along(outline, grass_spacing);
-        if (points.size() < 2) continue;
-        if (outline.closed && points.size() > 2)
-            closed.push_back(std::move(points));
-        else
-            open.push_back(std::move(points));
-    }
-    std::vector<Vec2> const actors = actors_of(level);
-    std::vector<bool> const room = rooms_among(closed, actors);
-    for (std::size_t i = 0; i < closed.size(); ++i) {
-        if (!room[i]) continue;
-        std::vector<Vec2> into = left_of(closed[i], Closing::closed);
-        if (signed_area(closed[i]) > 0) reverse_side(into);
-        bodies.push_back(wall_of(closed[i], Closing::closed, std::move(into)));
-    }
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        std::vector<Vec2> others = actors;
-        for (std::size_t j = 0; j < open.size(); ++j)
-            if (j != i) others.push_back(open[j][open[j].size() / 2]);
-        bodies.push_back(open_body(open[i], level, others));
-    }
-    add_solids(bodies, closed, room);
-    return bodies;
-}
-
 Patch patch_of(std::vector<Ring> rings, Cover cover) {
     Patch patch{std::move(rings), {}, cover};
     for (Ring const& ring : patch.rings) patch.box = geometry::united(patch.box, box_of_ring(ring));
     return patch;
 }
 
-// How much the ground faces up at a point of the edge, -1 to 1.
-double upness(Body const& body, std::size_t i) {
-    double const length = geometry::length(body.into[i]);
-    return length > 0 ? -body.into[i].y() / length : 0;
+// Bands are painted piece by piece, so that no piece covers much of a picture and those out of sight are left out.
+constexpr std::size_t band_piece = 32;  // edges
+
+// The pieces of a band along points that are an open line. `overlap` edges are shared by neighbours, so that no seam
+// is seen where the paint is opaque.
+void add_band(Ground& ground, Cover cover, Ring const& points, std::vector<Vec2> const& into,
+              std::function<double(std::size_t)> const& width) {
+    std::size_t const overlap = cover == Cover::shade ? 0 : 1;
+    for (std::size_t first = 0; first + 1 < points.size(); first += band_piece) {
+        std::size_t const end = std::min(first + band_piece + overlap + 1, points.size());
+        Ring const piece(points.begin() + static_cast<std::ptrdiff_t>(first),
+                         points.begin() + static_cast<std::ptrdiff_t>(end));
+        std::vector<Vec2> const ways(into.begin() + static_cast<std::ptrdiff_t>(first),
+                                     into.begin() + static_cast<std::ptrdiff_t>(end));
+        auto const shifted = [&](std::size_t i) { return width(first + i); };
+        ground.patches.push_back(patch_of(band_along(piece, ways, Closing::open, shifted), cover));
+    }
 }
 
-// The runs of the edge that face up, as ranges of indices that may pass the end of a closed edge.
-std::vector<std::pair<std::size_t, std::size_t>> sunny_runs(Body const& body) {
-    std::size_t const count = body.edge.size();
-    auto const sunny = [&](std::size_t i) { return upness(body, i % count) > 0.2; };
-    std::size_t first = 0;
+void add_edge_band(Ground& ground, Cover cover, Body const& body, double width) {
+    Ring points = body.edge;
+    std::vector<Vec2> into = body.into;
     if (body.closing == Closing::closed) {
-        while (first < count && sunny(first)) ++first;
-        if (first == count) return {{0, count}};
+        points.push_back(body.edge.front());
+        into.push_back(body.into.front());
     }
+    add_band(ground, cover, points, into, [width](std::size_t) { return width; });
+}
+
+// Edge i runs from point i to the next; its unit normal into the earth.
+Vec2 into_at_edge(Body const& body, std::size_t i) {
+    std::size_t const count = body.edge.size();
+    Vec2 const way = body.edge[(i + 1) % count] - body.edge[i % count];
+    double const length = geometry::length(way);
+    if (length == 0) return Vec2::Zero();
+    Vec2 const left = geometry::turned_left(way) / length;
+    return geometry::dot(left, body.into[i % count]) >= 0 ? left : Vec2(-left);
+}
+
+// The runs of edges that face up, as ranges that may pass the end of a closed outline.
+std::vector<std::pair<std::size_t, std::size_t>> sunny_runs(Body const& body) {
+    bool const closed = body.closing == Closing::closed;
+    std::size_t const count = closed ? body.edge.size() : body.edge.size() - 1;
+    auto const sunny = [&](std::size_t i) { return -into_at_edge(body, i % count).y() > 0.2; };
+    std::size_t first = 0;
+    if (closed)
+        while (first < count && sunny(first)) ++first;
     std::vector<std::pair<std::size_t, std::size_t>> runs;
     for (std::size_t i = first; i < first + count;) {
         std::size_t end = i;
         while (end < first + count && sunny(end)) ++end;
-        if (end > i + 1) runs.push_back({i, end});
+        if (end > i) runs.push_back({i, end});
         i = end + 1;
     }
     return runs;
 }
 
-void add_turf(Ground& ground, Body const& body, std::pair<std::size_t, std::size_t> run) {
-    std::size_t const count = body.edge.size();
+// A run of the edge, with the ends of its grass upright to it even where the outline turns a corner there.
+struct Sward {
     Ring edge;
     std::vector<Vec2> into;
-    std::vector<double> up;
-    for (std::size_t i = run.first; i < run.second; ++i) {
-        edge.push_back(body.edge[i % count]);
-        into.push_back(body.into[i % count]);
-        up.push_back(smooth_step(0.15, 0.8, upness(body, i % count)));
+    std::vector<double> up;  // 0 steep to 1 level
+};
+
+Sward sward_of(Body const& body, std::pair<std::size_t, std::size_t> run) {
+    std::size_t const count = body.edge.size();
+    Sward sward;
+    for (std::size_t i = run.first; i <= run.second; ++i) {
+        sward.edge.push_back(body.edge[i % count]);
+        sward.into.push_back(body.into[i % count]);
     }
+    sward.into.front() = into_at_edge(body, run.first);
+    sward.into.back() = into_at_edge(body, run.second - 1);
+    for (Vec2 const& into : sward.into) sward.up.push_back(smooth_step(0.15, 0.8, -into.y() / geometry::length(into)));
+    return sward;
+}
+
+void add_turf(Ground& ground, Body const& body, std::pair<std::size_t, std::size_t> run) {
+    Sward const sward = sward_of(body, run);
     double const depth = std::min(turf_depth, 0.45 * body.girth);
     auto const ragged = [&](std::size_t i) {
-        double const wave = 0.75 + 0.5 * noise_at(edge[i].x(), edge[i].y(), 1);
-        return depth * (0.25 + 0.75 * up[i]) * wave;
+        double const wave = 0.75 + 0.5 * noise_at(sward.edge[i].x(), sward.edge[i].y(), 1);
+        return depth * (0.25 + 0.75 * sward.up[i]) * wave;
     };
-    ground.patches.push_back(patch_of(band_along(edge, into, Closing::open, ragged), Cover::turf));
+    add_band(ground, Cover::turf, sward.edge, sward.into, ragged);
     double const lit = std::min(lit_depth, 0.2 * body.girth);
-    auto const thin = [&](std::size_t i) { return lit * (0.5 + 0.5 * up[i]); };
-    ground.patches.push_back(patch_of(band_along(edge, into, Closing::open, thin), Cover::lit));
-    for (std::size_t i = 1; i + 1 < edge.size(); ++i) {
-        double const luck = noise_at(edge[i].x(), edge[i].y(), 2);
-        if (up[i] < 0.7 || body.girth < 0.1 || luck > 0.3) continue;
+    auto const thin = [&](std::size_t i) { return lit * (0.5 + 0.5 * sward.up[i]); };
+    add_band(ground, Cover::lit, sward.edge, sward.into, thin);
+    for (std::size_t i = 1; i + 1 < sward.edge.size(); ++i) {
+        double const luck = noise_at(sward.edge[i].x(), sward.edge[i].y(), 2);
+        if (sward.up[i] < 0.7 || body.girth < 0.1 || luck > 0.3) continue;
         int const kind = static_cast<int>(luck * 1000) % 24;
-        double const height = 0.06 + 0.09 * noise_at(edge[i].x(), edge[i].y(), 3);
-        ground.tufts.push_back({edge[i], -into[i], height, kind});
+        double const height = 0.06 + 0.09 * noise_at(sward.edge[i].x(), sward.edge[i].y(), 3);
+        ground.tufts.push_back({sward.edge[i], -sward.into[i], height, kind});
     }
 }
 
 }  // namespace
-
-std::vector<Vec2> points_along(level::Outline const& outline, double spacing) {
-    std::vector<Vec2> points;
-    for (geometry::Curve const& curve : outline.curves) {
-        double const length = geometry::length_of(curve);
-        double chord = spacing;
-        auto const* arc = std::get_if<geometry::Arc>(&curve);
-        if (arc) chord = std::min(chord, std::sqrt(8 * flatness * std::max(arc->radius, flatness)));
-        int const pieces = static_cast<int>(std::clamp(std::ceil(length / chord), 1.0, 20000.0));
-        for (int i = 0; i < pieces; ++i) {
-            double const share = static_cast<double>(i) / pieces;
-            if (arc) {
-                double const angle = arc->from + share * arc->sweep;
-                points.push_back(arc->centre + arc->radius * Vec2(std::cos(angle), std::sin(angle)));
-            } else {
-                auto const& segment = std::get<geometry::Segment>(curve);
-                points.push_back(segment.start + share * (segment.end - segment.start));
-            }
-        }
-    }
-    if (!outline.closed && !outline.curves.empty()) points.push_back(geometry::end_of(outline.curves.back()));
-    return points;
-}
 
 Ground ground_of(level::Level const& level) {
     Ground ground;
@@ -286,13 +135,8 @@ Ground ground_of(level::Level const& level) {
     for (Body const& body : bodies)
         if (!body.rings.empty()) ground.patches.push_back(patch_of(body.rings, Cover::earth));
     for (Body const& body : bodies) {
-        auto const constant = [&](double width, double share) {
-            return [=, girth = body.girth](std::size_t) { return std::min(width, share * girth); };
-        };
-        ground.patches.push_back(
-            patch_of(band_along(body.edge, body.into, body.closing, constant(shade_depth, 0.5)), Cover::shade));
-        ground.patches.push_back(
-            patch_of(band_along(body.edge, body.into, body.closing, constant(rim_depth, 0.25)), Cover::rim));
+        add_edge_band(ground, Cover::shade, body, std::min(shade_depth, 0.5 * body.girth));
+        add_edge_band(ground, Cover::rim, body, std::min(rim_depth, 0.25 * body.girth));
     }
     for (Body const& body : bodies)
         for (std::pair<std::size_t, std::size_t> const& run : sunny_runs(body)) add_turf(ground, body, run);

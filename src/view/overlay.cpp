@@ -90,7 +90,12 @@ Energy energy_of(level::Level const& level, std::vector<physics::State> const& b
 std::vector<Shape> overlay_shapes(level::Level const& level, Moment const& moment, Camera const& camera,
                                   Overlays const& overlays) {
     std::vector<Shape> shapes;
-    Slate slate{&shapes, &camera, 64 * hud_scale(camera.size)};
+    double const unit = hud_scale(camera.size);
+    // At the left edge, or at the right where the ball is on the left.
+    Vec2 const ball = pixel_of(camera, moment.balls[static_cast<std::size_t>(level.player)].position);
+    bool const at_right = ball.x() < (table_width + 100) * unit;
+    double const left = at_right ? camera.size.x() - (table_width + 16) * unit : 16 * unit;
+    Slate slate{&shapes, &camera, left, 64 * unit};
     if (overlays.forces) draw_forces(slate, level, moment);
     if (overlays.figures) draw_figures(slate, level, moment);
     if (overlays.energy) draw_energy(slate, level, moment);

@@ -15,8 +15,6 @@ constexpr Colour roll_paint = colour(0x9a35c9), gravity_paint = colour(0x5a4632)
 constexpr Colour motion_paint = colour(0x2f7de1), rotation_paint = colour(0xb05be0), height_paint = colour(0x35a85b);
 constexpr Colour spring_paint = colour(0xf0832a);
 
-constexpr double table_width = 268;  // pixels at 1280x720
-
 // Long arrows are drawn in: what is twice as large is drawn longer, but never out of the picture.
 Vec2 drawn_in(Vec2 const& way, double limit) {
     double const length = geometry::length(way);
@@ -64,7 +62,7 @@ void draw_roll(Slate& slate, Vec2 const& centre, double radius, double spin) {
 void draw_chart(Slate& slate, level::Level const& level, Moment const& moment, double lowest, double highest) {
     double const unit = hud_scale(slate.camera->size);
     Vec2 const size(table_width * unit, 96 * unit);
-    Vec2 const corner(16 * unit, slate.next_table);
+    Vec2 const corner(slate.table_left, slate.next_table);
     slate.shapes->emplace_back(Panel{corner, size, 10 * unit, palette::night});
     slate.next_table += size.y() + 8 * unit;
     double const span = std::max(highest - lowest, 1e-9);
@@ -140,7 +138,7 @@ void draw_arrow(Slate& slate, Arrow const& arrow) {
 void draw_table(Slate& slate, std::string const& title, std::vector<Row> const& rows) {
     double const unit = hud_scale(slate.camera->size);
     double const line = 22 * unit, letters = 15 * unit;
-    Vec2 const corner(16 * unit, slate.next_table);
+    Vec2 const corner(slate.table_left, slate.next_table);
     Vec2 const size(table_width * unit, line * static_cast<double>(rows.size()) + 40 * unit);
     slate.shapes->emplace_back(Panel{corner, size, 12 * unit, colour(0xfffdf6, 0.88f)});
     Vec2 at = corner + Vec2(14, 24) * unit;

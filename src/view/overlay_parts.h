@@ -1,4 +1,4 @@
-// The overlays one by one, and what they draw on: arrows in the world, tables at the left edge.
+// The overlays one by one, and what they draw on: arrows in the world, tables at an edge.
 #pragma once
 
 #include <string>
@@ -10,9 +10,11 @@
 namespace view {
 
 // Collects shapes; tables are placed one below the other.
+inline constexpr double table_width = 268;  // pixels of a picture of 1280x720
 struct Slate {
     std::vector<Shape>* shapes = nullptr;
     Camera const* camera = nullptr;
+    double table_left = 0;  // pixels
     double next_table = 0;  // pixels from the top
 };
 

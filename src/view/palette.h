@@ -22,7 +22,7 @@ constexpr Colour mixed(Colour const& a, Colour const& b, float share) {
 namespace palette {
 
 inline constexpr Colour sky_top = colour(0x3f9be8), sky_bottom = colour(0xdff4f2);
-inline constexpr Colour sun = colour(0xfff6c8, 0.95f), sun_glow = colour(0xfff2b0, 0.35f);
+inline constexpr Colour sun = colour(0xfff6c8, 0.95f), sun_glow = colour(0xffffff, 0.3f);
 inline constexpr Colour cloud = colour(0xffffff, 0.92f), cloud_shade = colour(0xcfe5f3, 0.9f);
 inline constexpr Colour far_hill = colour(0xa9d4e3), far_foot = colour(0xd3ecea);
 inline constexpr Colour middle_hill = colour(0x83c3b4), middle_foot = colour(0xbfe3cc);
