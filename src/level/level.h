@@ -30,17 +30,17 @@ struct Decoration {
 
 struct Level {
     std::string title;
-    std::string file;            // the path it was read from
-    std::string hash;            // FNV-1a of the file's bytes, 16 hex digits
-    physics::Scene scene;        // scene.sensors[i] means meanings[i]
+    std::string file;      // the path it was read from
+    std::string hash;      // FNV-1a of the file's bytes, 16 hex digits
+    physics::Scene scene;  // scene.sensors[i] means meanings[i]
     std::vector<Meaning> meanings;
     std::vector<std::string> surface_names;  // by Piece::surface: the element's id or its number in the file
-    int player = 0;              // index of the player's ball
-    Vec2 size = Vec2::Zero();    // m, of the viewBox; its lower left corner is the origin
-    std::optional<double> time_limit;  // s
-    double drag_reach = 4;       // m
-    double tilt_limit = 0.4;     // rad
-    std::vector<Outline> outlines;      // of the terrain
+    int player = 0;                          // index of the player's ball
+    Vec2 size = Vec2::Zero();                // m, of the viewBox; its lower left corner is the origin
+    std::optional<double> time_limit;        // s
+    double drag_reach = 4;                   // m
+    double tilt_limit = 0.4;                 // rad
+    std::vector<Outline> outlines;           // of the terrain
     std::vector<Decoration> decorations;
 };
 
@@ -49,8 +49,8 @@ Level read_level(std::string const& file);
 
 struct Finding {
     int line = 0;
-    std::string text;      // "element: what"
-    bool fault = false;    // else a warning
+    std::string text;    // "element: what"
+    bool fault = false;  // else a warning
 };
 // Every fault that can be reached, then what is legal but suspicious; in order of lines.
 std::vector<Finding> findings_in(std::string const& file);

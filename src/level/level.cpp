@@ -1,0 +1,24 @@
+#include "level/level.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "level/check.h"
+#include "level/reading.h"
+
+namespace level {
+
+Level read_level(std::string const& file) {
+    Reading reading = reading_of(file);
+    for (Finding const& finding : reading.report.by_line())
+        if (finding.fault) throw std::runtime_error(file + ":" + std::to_string(finding.line) + ": " + finding.text);
+    return std::move(reading.level);
+}
+
+std::vector<Finding> findings_in(std::string const& file) {
+    Reading reading = reading_of(file);
+    if (reading.in_place) add_suspicions(reading);
+    return reading.report.by_line();
+}
+
+}  // namespace level

@@ -1,0 +1,119 @@
+#include "level/numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "level/faults.h"
+
+namespace level {
+
+namespace {
+
+constexpr std::string_view spaces = " \t\r\n\f";
+
+bool is_space(char c) { return spaces.find(c) != std::string_view::npos; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// from_chars says "out of range" for the too small as well as the too large, and leaves the value alone.
+double out_of_range(std::string_view number) {
+    std::size_t const exponent = number.find_first_of("eE");
+    bool const small = exponent == std::string_view::npos ? number.find_first_of("123456789") > number.find('.')
+                                                          : number.substr(exponent + 1, 1) == "-";
+    return small ? 0 : std::numeric_limits<double>::infinity();
+}
+
+struct Prefix {
+    double value = 0;
+    std::size_t length = 0;  // 0: no number
+};
+
+Prefix number_at_start(std::string_view text) {
+    std::size_t const sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
+    std::size_t const point = text.substr(sign, 1) == "." ? 1 : 0;
+    if (sign + point >= text.size() || !is_digit(text[sign + point])) return {};
+    double value = 0;
+    char const* const first = text.data() + sign;
+    auto const [end, error] = std::from_chars(first, text.data() + text.size(), value);
+    std::size_t const length = end - text.data();
+    if (error == std::errc::result_out_of_range) value = out_of_range(text.substr(sign, length - sign));
+    return {text[0] == '-' ? -value : value, length};
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    std::size_t const first = text.find_first_not_of(spaces);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(spaces) - first + 1);
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (std::size_t at = text.find_first_not_of(spaces); at != std::string_view::npos;) {
+        std::size_t const end = std::min(text.find_first_of(spaces, at), text.size());
+        words.push_back(text.substr(at, end - at));
+        at = text.find_first_not_of(spaces, end);
+    }
+    return words;
+}
+
+void Cursor::skip_spaces() {
+    while (!at_end() && is_space(text_[at_])) ++at_;
+}
+
+void Cursor::skip_separator() {
+    skip_spaces();
+    if (peek() != ',') return;
+    ++at_;
+    skip_spaces();
+}
+
+bool Cursor::begins_number() const { return number_at_start(rest()).length > 0; }
+
+double Cursor::number() {
+    Prefix const prefix = number_at_start(rest());
+    if (prefix.length == 0) throw Broken("a number was expected, got " + quoted(rest()));
+    if (!std::isfinite(prefix.value))
+        throw Broken("a number must be finite, got " + quoted(rest().substr(0, prefix.length)));
+    at_ += prefix.length;
+    return prefix.value;
+}
+
+std::string_view Cursor::word() {
+    std::size_t const first = at_;
+    while (!at_end() && is_letter(text_[at_])) ++at_;
+    return text_.substr(first, at_ - first);
+}
+
+Parsed parsed_number(std::string_view text) {
+    text = trimmed(text);
+    Prefix const prefix = number_at_start(text);
+    if (prefix.length > 0 && prefix.length == text.size())
+        return {prefix.value, std::isfinite(prefix.value) ? Syntax::good : Syntax::not_finite};
+    std::string name(text.substr(!text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0));
+    std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+    bool const infinite = name == "inf" || name == "infinity";
+    if (infinite) return {std::numeric_limits<double>::infinity() * (text[0] == '-' ? -1 : 1), Syntax::not_finite};
+    return {0, name == "nan" ? Syntax::not_finite : Syntax::not_a_number};
+}
+
+std::optional<std::vector<double>> parsed_list(std::string_view text) {
+    Cursor cursor(trimmed(text));
+    std::vector<double> numbers;
+    while (!cursor.at_end()) {
+        Prefix const prefix = number_at_start(cursor.rest());
+        if (prefix.length == 0 || !std::isfinite(prefix.value)) return std::nullopt;
+        numbers.push_back(cursor.number());
+        std::size_t const before = cursor.rest().size();
+        cursor.skip_separator();
+        bool const ends_in_comma = cursor.at_end() && cursor.rest().size() != before;
+        if (ends_in_comma) return std::nullopt;
+    }
+    return numbers;
+}
+
+}  // namespace level

@@ -1,0 +1,72 @@
+#include "level/roles.h"
+
+#include <algorithm>
+#include <array>
+
+#include "level/numbers.h"
+
+namespace level {
+
+namespace {
+
+constexpr std::array<Role, 4> every_role = {Role::terrain, Role::ball, Role::banana, Role::goal};
+
+bool is_one_letter_away(std::string_view word, std::string_view name) {
+    if (word.size() > name.size()) return is_one_letter_away(name, word);
+    if (name.size() - word.size() > 1) return false;
+    std::size_t const first = std::mismatch(word.begin(), word.end(), name.begin()).first - word.begin();
+    if (word.size() < name.size()) return word.substr(first) == name.substr(first + 1);
+    if (first == word.size()) return false;
+    if (word.substr(first + 1) == name.substr(first + 1)) return true;
+    return first + 1 < word.size() && word[first] == name[first + 1] && word[first + 1] == name[first] &&
+           word.substr(first + 2) == name.substr(first + 2);
+}
+
+}  // namespace
+
+char const* name_of(Role role) {
+    switch (role) {
+        case Role::terrain:
+            return "terrain";
+        case Role::ball:
+            return "ball";
+        case Role::banana:
+            return "banana";
+        case Role::goal:
+            break;
+    }
+    return "goal";
+}
+
+std::vector<Role> roles_in(std::string_view class_words) {
+    std::vector<Role> roles;
+    for (std::string_view const word : words_of(class_words))
+        for (Role const role : every_role)
+            if (word == name_of(role) && std::find(roles.begin(), roles.end(), role) == roles.end())
+                roles.push_back(role);
+    return roles;
+}
+
+std::optional<Role> near_miss(std::string_view word) {
+    for (Role const role : every_role)
+        if (word == name_of(role)) return std::nullopt;
+    for (Role const role : every_role)
+        if (is_one_letter_away(word, name_of(role))) return role;
+    return std::nullopt;
+}
+
+bool may_have(std::string_view tag, Role role) {
+    switch (role) {
+        case Role::terrain:
+            return tag == "path" || tag == "line" || tag == "polyline" || tag == "polygon" || tag == "rect" ||
+                   tag == "circle";
+        case Role::ball:
+        case Role::banana:
+            return tag == "circle";
+        case Role::goal:
+            break;
+    }
+    return tag == "rect" || tag == "circle" || tag == "line";
+}
+
+}  // namespace level

@@ -1,0 +1,23 @@
+// What the class attribute makes of an element, and what other words in it were perhaps meant to be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace level {
+
+enum class Role { terrain, ball, banana, goal };
+
+char const* name_of(Role role);
+
+// The roles among the words of a class attribute, each once, in their order.
+std::vector<Role> roles_in(std::string_view class_words);
+
+// The role that a word misses by one letter: one too many, too few, wrong, or two neighbours exchanged.
+std::optional<Role> near_miss(std::string_view word);
+
+bool may_have(std::string_view tag, Role role);
+
+}  // namespace level

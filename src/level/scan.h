@@ -1,0 +1,22 @@
+// A first look at the text of a level, before a tree is made of it: what the XML reader would let pass or choke on.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace level {
+
+inline constexpr int most_elements = 100'000;  // formats.md section 3
+
+struct Objection {
+    std::ptrdiff_t offset = 0;  // in the text
+    std::string what;           // "element: what"
+};
+
+// The first reason not to read on: a DOCTYPE that declares entities, too many elements, text or a second element
+// outside the root, a tag without end, a NUL byte. A text without objection may still not be XML.
+std::optional<Objection> objection_to(std::string_view text);
+
+}  // namespace level

@@ -1,0 +1,134 @@
+#include "level/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "level/faults.h"
+#include "level/numbers.h"
+
+namespace level {
+
+namespace {
+
+double positive_length(pugi::xml_node node, char const* attribute) {
+    double const x = length_in(node, attribute);
+    if (!(x > 0))
+        throw Unsupported(std::string(attribute) + " must be greater than 0, got " +
+                          quoted(node.attribute(attribute).value()));
+    return x;
+}
+
+// A rect without width or height is not drawn; a negative one is a mistake.
+double size_of_rect(pugi::xml_node node, char const* attribute) {
+    double const x = length_in(node, attribute);
+    if (x < 0)
+        throw Unsupported(std::string(attribute) + " must not be negative, got " +
+                          quoted(node.attribute(attribute).value()));
+    return x;
+}
+
+Subpath joined(std::vector<Vec2> const& points) {
+    Subpath subpath;
+    subpath.start = points.front();
+    for (std::size_t i = 1; i < points.size(); ++i) subpath.draws.push_back(LineTo{points[i]});
+    return subpath;
+}
+
+Subpath rounded_rect(std::vector<Vec2> const& corners, double rx, double ry) {
+    Vec2 const a = corners[0], c = corners[2];
+    rx = std::min(rx, (c.x() - a.x()) / 2);
+    ry = std::min(ry, (c.y() - a.y()) / 2);
+    auto const corner = [&](double x, double y) { return ArcTo{rx, ry, 0, false, true, {x, y}}; };
+    Subpath subpath;
+    subpath.start = {a.x() + rx, a.y()};
+    subpath.draws = {LineTo{{c.x() - rx, a.y()}}, corner(c.x(), a.y() + ry),   LineTo{{c.x(), c.y() - ry}},
+                     corner(c.x() - rx, c.y()),   LineTo{{a.x() + rx, c.y()}}, corner(a.x(), c.y() - ry),
+                     LineTo{{a.x(), a.y() + ry}}, corner(a.x() + rx, a.y())};
+    subpath.closed = true;
+    return subpath;
+}
+
+// A corner's radius that is missing, or "auto", is the other one.
+double corner_radius(pugi::xml_node node, char const* attribute, char const* other) {
+    auto const given = [&](char const* name) {
+        std::string_view const text = trimmed(node.attribute(name).value());
+        return !text.empty() && text != "auto";
+    };
+    if (given(attribute)) return length_in(node, attribute);
+    return given(other) ? length_in(node, other) : 0;
+}
+
+Shape rect(pugi::xml_node node, Corners corners) {
+    std::vector<Vec2> const points = corners_of_rect(node);
+    if (points.empty()) return std::vector<Subpath>();
+    if (corners == Corners::as_drawn && has_round_corners(node)) {
+        double const rx = corner_radius(node, "rx", "ry"), ry = corner_radius(node, "ry", "rx");
+        if (rx > 0 && ry > 0) return std::vector{rounded_rect(points, rx, ry)};
+    }
+    return std::vector{closed_to_start(joined(points))};
+}
+
+template <typename Read>
+std::vector<Subpath> read_or_name(char const* attribute, Read&& read) {
+    try {
+        return read();
+    } catch (Broken const& broken) {
+        throw Broken(std::string(attribute) + ": " + broken.what());
+    }
+}
+
+}  // namespace
+
+bool is_shape(std::string_view tag) {
+    return tag == "path" || tag == "line" || tag == "polyline" || tag == "polygon" || tag == "rect" ||
+           tag == "circle" || tag == "ellipse";
+}
+
+double length_in(pugi::xml_node node, char const* attribute) {
+    std::string_view const all = trimmed(node.attribute(attribute).value());
+    if (all.empty() && !node.attribute(attribute)) return 0;
+    std::string_view text = all;
+    if (text.size() > 2 && text.substr(text.size() - 2) == "px") text.remove_suffix(2);
+    Parsed const parsed = parsed_number(text);
+    if (parsed.syntax == Syntax::good) return parsed.value;
+    if (parsed.syntax == Syntax::not_finite)
+        throw Broken(std::string(attribute) + " must be finite, got " + quoted(all));
+    throw Unsupported(std::string(attribute) + " must be a number, got " + quoted(all));
+}
+
+bool has_round_corners(pugi::xml_node node) {
+    auto const is_round = [&](char const* name) {
+        Parsed const parsed = parsed_number(node.attribute(name).value());
+        return parsed.syntax == Syntax::good && parsed.value > 0;
+    };
+    return is_round("rx") || is_round("ry");
+}
+
+std::vector<Vec2> corners_of_rect(pugi::xml_node node) {
+    double const x = length_in(node, "x"), y = length_in(node, "y");
+    double const width = size_of_rect(node, "width"), height = size_of_rect(node, "height");
+    if (width == 0 || height == 0) return {};
+    return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+}
+
+Shape shape_of(pugi::xml_node node, std::string_view tag, Corners corners) {
+    if (tag == "rect") return rect(node, corners);
+    if (tag == "circle") {
+        double const r = positive_length(node, "r");
+        return Ellipse{{length_in(node, "cx"), length_in(node, "cy")}, r, r};
+    }
+    if (tag == "ellipse")
+        return Ellipse{
+            {length_in(node, "cx"), length_in(node, "cy")}, positive_length(node, "rx"), positive_length(node, "ry")};
+    if (tag == "line")
+        return std::vector{
+            joined({{length_in(node, "x1"), length_in(node, "y1")}, {length_in(node, "x2"), length_in(node, "y2")}})};
+    if (tag == "path") return read_or_name("d", [&] { return parsed_path(node.attribute("d").value()); });
+    auto subpaths = read_or_name("points", [&] { return parsed_points(node.attribute("points").value()); });
+    if (tag == "polygon")
+        for (Subpath& subpath : subpaths) subpath = closed_to_start(std::move(subpath));
+    return subpaths;
+}
+
+}  // namespace level

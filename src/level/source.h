@@ -1,0 +1,27 @@
+// A level file as bytes and as text: opening it, its encoding, and the line that an offset lies on.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace level {
+
+inline constexpr std::size_t largest_file = 64'000'000;  // bytes, formats.md section 3
+
+// Stops reading beyond largest_file. Throws std::runtime_error("file: cannot be read: why").
+std::string bytes_of(std::string const& file);
+
+// UTF-8, without a byte order mark, of text in UTF-8, UTF-16 or (where the XML declaration says so) Latin-1.
+std::string utf8_of(std::string bytes);
+
+class Lines {
+public:
+    explicit Lines(std::string const& text);
+    int line_at(std::ptrdiff_t offset) const;  // from 1; an offset outside the text counts as its nearer end
+
+private:
+    std::vector<std::ptrdiff_t> ends_;  // offsets of the line feeds
+};
+
+}  // namespace level

@@ -1,0 +1,35 @@
+// Affine maps of the plane and the transform lists that write them.
+#pragma once
+
+#include <string_view>
+
+#include "geometry/vector.h"
+
+namespace level {
+
+using geometry::Vec2;
+
+// x' = a x + c y + e, y' = b x + d y + f, as in SVG's matrix(a b c d e f).
+struct Affine {
+    double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+};
+
+// First `inner`, then `outer`.
+Affine composed(Affine const& outer, Affine const& inner);
+
+Vec2 mapped(Affine const& map, Vec2 const& point);
+Vec2 mapped_direction(Affine const& map, Vec2 const& direction);
+
+double determinant(Affine const& map);
+
+// By how much lengths grow, in the mean of all directions' areas: sqrt|determinant|.
+double scale_of(Affine const& map);
+
+// Programs write rotations with six or more decimals; a matrix this near to a similarity is meant as one.
+inline constexpr double similarity_slack = 1e-6;  // relative to the matrix's size
+bool is_similarity(Affine const& map);            // mirroring ones included
+
+// Throws Broken.
+Affine parsed_transform(std::string_view text);
+
+}  // namespace level

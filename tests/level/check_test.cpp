@@ -1,0 +1,99 @@
+#include <doctest/doctest.h>
+
+#include "drawing.h"
+
+using namespace drawing;
+
+TEST_CASE("a sound level gives nothing to say") {
+    CHECK(
+        warnings_of(with(
+            "<path class='terrain' fill='none' d='M0 3H2A3 3 0 0 0 8 3H16'/><circle class='goal' cx='12' cy='2' r='1'/>"
+            "<circle class='banana' cx='10' cy='2' r='0.2'/><rect width='16' height='9' fill='skyblue'/>")) == "");
+}
+
+TEST_CASE("gaps under a millimetre") {
+    auto const gap = [](std::string const& x) {
+        return warnings_of(with("<line class='terrain' x1='0' y1='8' x2='5' y2='8'/>\n<line class='terrain' x1='" + x +
+                                "' y1='8' x2='9' y2='8'/>"));
+    };
+    CHECK(gap("5.0000005") == "");
+    CHECK(gap("5.0005") == "3: terrain: a gap of 0.0005 m at (5, 1)\n4: terrain: a gap of 0.0005 m at (5.0005, 1)");
+    CHECK(gap("5.002") == "");
+    // An end that just misses the middle of a line.
+    CHECK(warnings_of(with("<line class='terrain' x1='0' y1='8' x2='9' y2='8'/>\n<line class='terrain' x1='5' "
+                           "y1='7.9998' x2='5' y2='6'/>")) == "4: terrain: a gap of 0.0002 m at (5, 1.0002)");
+    // A ring that does not close.
+    CHECK(warnings_of(path("M5 5A1 1 0 1 1 5.0005 5.00001")).find("3: terrain: a gap of 0.0005") == 0);
+}
+
+TEST_CASE("tangent breaks under two degrees") {
+    auto const turn = [](std::string const& y) { return warnings_of(path("M0 8L5 8L10 " + y)); };
+    CHECK(turn("7.9") == "3: terrain: a tangent break of 1.14576 degrees at (5, 1)");
+    CHECK(turn("7.996") == "");  // 0.8 mrad: a joint
+    CHECK(turn("7.8") == "");    // 2.3 degrees: a corner
+    CHECK(warnings_of(path("M0 8L5 8L10 7.9L15 7.7")) ==
+          "3: terrain: a tangent break of 1.14576 degrees at (5, 1), and 1 more");
+}
+
+TEST_CASE("concave arcs tighter than the ball") {
+    CHECK(warnings_of(path("M0 8H5A.3 .3 0 0 0 5.6 8H16")) ==
+          "3: terrain: a concave arc of radius 0.3 m is tighter than a ball of radius 0.5 m");
+    CHECK(warnings_of(path("M0 8H5A.3 .3 0 0 1 5.6 8H16")) == "");
+    CHECK(warnings_of(path("M0 8H5A.6 .6 0 0 0 6.2 8H16")) == "");
+    CHECK(warnings_of(with("<circle class='terrain' cx='8' cy='6' r='0.3'/>")) == "");
+    // A closed box round the ball with one corner too round, and a block with round corners outside of which it is.
+    CHECK(warnings_of(path("M1 .5H9V6A.3 .3 0 0 1 8.7 6.3H1z")) ==
+          "3: terrain: a concave arc of radius 0.3 m is tighter than a ball of radius 0.5 m");
+    CHECK(warnings_of(path("M1 5H9V6A.3 .3 0 0 1 8.7 6.3H1z")) == "");
+}
+
+TEST_CASE("a ball that starts inside terrain") {
+    std::string const block = "<rect class='terrain' x='1' y='1' width='5' height='3'";
+    CHECK(warnings_of(with(block + "/>")) == "2: ball: starts inside the terrain of line 3");
+    CHECK(warnings_of(with(block + " fill='none'/>")) == "");
+    CHECK(warnings_of(with(block + " fill='none'/><circle class='goal' cx='9' cy='4' r='1'/>")) ==
+          "2: ball: starts inside the terrain of line 3");
+    CHECK(warnings_of(with("<g style='fill:none'>" + block + "/></g>")) == "");
+    CHECK(warnings_of(with("<circle class='terrain' cx='3' cy='2' r='1.5'/>")) ==
+          "2: ball: starts inside the terrain of line 3");
+    // A cave in solid rock: the inner ring runs the other way round.
+    CHECK(warnings_of(with("<path class='terrain' d='M0 0H16V9H0zM1 1V8H15V1z'/>")) == "");
+}
+
+TEST_CASE("slight overlaps are told") {
+    CHECK(warnings_of(with("<line class='terrain' x2='16' y1='2.49' y2='2.49'/>")) ==
+          "2: ball: overlaps terrain by 0.01 m and is moved out");
+}
+
+TEST_CASE("words and attributes that were perhaps meant otherwise") {
+    std::string const line = " x2='16' y1='8' y2='8'/>";
+    CHECK(warnings_of(with("<line class='terrian' stroke='red'" + line)) ==
+          "3: line: class terrian is a letter away from terrain");
+    CHECK(warnings_of(with("<line class='Terrain'" + line)) == "3: line: class Terrain is a letter away from terrain");
+    CHECK(warnings_of(with("<circle class='balls' r='1'/>")) == "3: circle: class balls is a letter away from ball");
+    CHECK(warnings_of(with("<circle class='banan' r='1'/>")) == "3: circle: class banan is a letter away from banana");
+    CHECK(warnings_of(with("<line class='terrain grass st0'" + line)) == "");
+    CHECK(warnings_of(with("<line class='terrain' data-fricton='1'" + line)) ==
+          "3: terrain: unknown attribute data-fricton");
+    CHECK(warnings_of(with("<line class='terrain' data-mass='1'" + line)) ==
+          "3: terrain: data-mass has no effect here");
+    CHECK(warnings_of(with("<circle data-name='x' r='1'/>")) == "");
+}
+
+TEST_CASE("what is ignored, empty or out of view") {
+    CHECK(warnings_of(with("<text>hi</text><image href='http://nowhere/x.png'/>")) ==
+          "3: text: is ignored\n3: image: is ignored");
+    CHECK(warnings_of(with("<rect width='100%' height='1'/>")) ==
+          "3: rect: is ignored: width must be a number, got 100%");
+    CHECK(warnings_of(with("<rect width='1' height='1' fill='url(#sky)'/>")) ==
+          "3: rect: is ignored: the paint url(#sky)");
+    CHECK(warnings_of(with("<path class='terrain'/>")) == "3: terrain: is empty");
+    CHECK(warnings_of(with("<line class='terrain' x1='5' x2='5'/>")) == "3: terrain: is empty");
+    CHECK(warnings_of(path("M0 8H4H4H9")) == "3: terrain: pieces without length are dropped, 1 of them");
+    CHECK(warnings_of(with("<rect class='terrain' x='8' y='5' width='2' height='1' rx='0.2'/>")) ==
+          "3: terrain: round corners are taken as square");
+    CHECK(warnings_of(with("<circle class='banana' cx='20' cy='3' r='1'/>")) == "3: banana: lies outside the viewBox");
+    CHECK(warnings_of(with("<line class='terrain' x1='-5' x2='-6'/>")) == "3: terrain: lies outside the viewBox");
+    CHECK(warnings_of("<svg viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' r='1'/></svg>") ==
+          "1: ball: starts outside the viewBox");
+}
