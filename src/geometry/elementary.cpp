@@ -82,6 +82,14 @@ double arctangent_below_one(double far, double near) {
     return arctangent_of_eighths[eighth] + (x + x * (s * tail));
 }
 
+// The series x + x^3/3 + x^5/5 + ... of the hyperbolic arctangent for |x| < 0.18.
+double hyperbolic_arctangent_near_zero(double x) {
+    double const s = x * x;
+    double tail = 0;
+    for (int power = 23; power >= 3; power -= 2) tail = (tail + 1.0 / power) * s;
+    return x + x * tail;
+}
+
 }  // namespace
 
 SineCosine sine_cosine(double angle) {
@@ -131,6 +139,23 @@ double arctangent(double y, double x) {
 double arccosine(double x) {
     double const cosine = std::clamp(x, -1.0, 1.0);
     return arctangent(std::sqrt((1 - cosine) * (1 + cosine)), cosine);
+}
+
+double logarithm(double x) {
+    std::uint64_t const bits = std::bit_cast<std::uint64_t>(x);
+    int exponent = static_cast<int>(bits >> 52) - 1023;
+    double fraction = std::bit_cast<double>((bits & 0x000fffffffffffffu) | 0x3ff0000000000000u);
+    if (fraction > 1.41421356237309504880) {
+        fraction *= 0.5;
+        ++exponent;
+    }
+    double const small = 2 * hyperbolic_arctangent_near_zero((fraction - 1) / (fraction + 1));
+    return exponent * log_two_high + (exponent * log_two_low + small);
+}
+
+double hyperbolic_arctangent(double tangent) {
+    if (std::abs(tangent) < 0.17) return hyperbolic_arctangent_near_zero(tangent);
+    return 0.5 * logarithm((1 + tangent) / (1 - tangent));
 }
 
 }  // namespace geometry

@@ -1,5 +1,7 @@
 #include "geometry/polynomial.h"
 
+#include "geometry/bracket.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -13,8 +15,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double extremum_share = 1e-9;
 // Share of t within which the event itself is placed.
 constexpr double event_share = 2.5e-16;
-// Newton's steps before bisection alone would have ended; reached only by rounding noise around a grazing root.
-constexpr int most_refinements = 200;
 
 // Where a polynomial changes sign in (0, until), in order, and its sign just after 0 (0 for the zero polynomial).
 struct SignChanges {
@@ -23,13 +23,6 @@ struct SignChanges {
     std::array<double, most_coefficients> at;
 
     void add(double t) { at[count++] = t; }
-};
-
-int sign_of(double x) { return (x > 0) - (x < 0); }
-
-struct Slope {
-    double value = 0;
-    double rate = 0;
 };
 
 Slope slope_at(std::span<double const> p, double t) {
@@ -41,36 +34,8 @@ Slope slope_at(std::span<double const> p, double t) {
     return slope;
 }
 
-struct Bracket {
-    double low = 0;
-    double high = 0;
-    double low_value = 0;
-    double high_value = 0;
-    int low_sign = 0;  // the sign just after `low`, even where the value at `low` is zero
-};
-
-// Newton's method kept inside the bracket, bisection where it would leave it or does not halve its step.
-double root_in(std::span<double const> p, Bracket bracket, double share) {
-    double width = bracket.high - bracket.low;
-    double const secant = bracket.low + width * (bracket.low_value / (bracket.low_value - bracket.high_value));
-    double t = secant > bracket.low && secant < bracket.high ? secant : bracket.low + 0.5 * width;
-    double last_step = width;
-    for (int i = 0; i < most_refinements; ++i) {
-        Slope const slope = slope_at(p, t);
-        if (slope.value == 0) return t;
-        (sign_of(slope.value) == bracket.low_sign ? bracket.low : bracket.high) = t;
-        double step = slope.value / slope.rate;
-        double next = t - step;
-        if (!(next > bracket.low && next < bracket.high && 2 * std::abs(step) <= last_step)) {
-            if (std::abs(step) <= share * t) return t;
-            next = bracket.low + 0.5 * (bracket.high - bracket.low);
-            step = next - t;
-        }
-        if (std::abs(step) <= share * next) return next;
-        last_step = std::abs(step);
-        t = next;
-    }
-    return t;
+double root_of(std::span<double const> p, Bracket const& bracket, double share) {
+    return root_in([p](double t) { return slope_at(p, t); }, bracket, share);
 }
 
 // Whether the terms against the lowest one cannot outweigh it anywhere in (0, until]: no root, no sign change.
@@ -133,7 +98,7 @@ SignChanges sign_changes(std::span<double const> p, double until) {
         if (bracket.high == infinity) bracket.high = settled_after(p, bracket.low);
         bracket.high_value = value_at(p, bracket.high);
         bool const crosses = sign_of(bracket.high_value) * bracket.low_sign < 0;
-        if (crosses) changes.add(root_in(p, bracket, extremum_share));
+        if (crosses) changes.add(root_of(p, bracket, extremum_share));
         bracket = {bracket.high, 0, bracket.high_value, 0, crosses ? -bracket.low_sign : bracket.low_sign};
     }
     return changes;
@@ -156,7 +121,7 @@ std::optional<double> first_fall(std::span<double const> gap, double until) {
         bracket.high = i < turns.count ? turns.at[i] : until;
         if (bracket.high == infinity) bracket.high = settled_after(gap, bracket.low);
         bracket.high_value = value_at(gap, bracket.high);
-        if (closing && bracket.high_value < 0) return root_in(gap, bracket, event_share);
+        if (closing && bracket.high_value < 0) return root_of(gap, bracket, event_share);
         closing = !closing;
         bracket = {bracket.high, 0, bracket.high_value, 0, 1};
     }
