@@ -18,7 +18,7 @@ give_up() {
 
 # The same needs by the names they answer to, for systems on which dpkg cannot be asked. doctest and stb are headers.
 commands_to_play=(c++ cmake ninja pkg-config glad ffmpeg)
-modules_to_play=(sdl2 osmesa eigen3 stb pugixml nlohmann_json libdeflate)
+modules_to_play=(sdl2 osmesa eigen3 stb CLI11 pugixml nlohmann_json libdeflate)
 commands_to_test=("${commands_to_play[@]}" clang++ python3 Xvfb xdotool convert import)
 
 lacks_by_name() {
