@@ -18,7 +18,9 @@ using physics::Spoke;
 using physics::Terrain;
 using physics::Vertex;
 
-std::string shown_at(Vec2 const& point) { return std::string("(").append(shown(point.x())).append(", ").append(shown(point.y())).append(")"); }
+std::string shown_at(Vec2 const& point) {
+    return std::string("(").append(shown(point.x())).append(", ").append(shown(point.y())).append(")");
+}
 
 class Check {
 public:

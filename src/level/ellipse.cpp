@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/elementary.h"
 
@@ -10,6 +11,12 @@ namespace level {
 using geometry::dot;
 using geometry::pi;
 using geometry::wedge;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
 
 EllipticalArc elliptical_arc(Vec2 const& start, ArcTo const& arc) {
     geometry::SineCosine const turn = geometry::sine_cosine(std::fmod(arc.rotation, 360.0) * (pi / 180));
@@ -21,7 +28,11 @@ EllipticalArc elliptical_arc(Vec2 const& start, ArcTo const& arc) {
     double const rx = arc.rx * growth, ry = arc.ry * growth;
     Vec2 const unit_half(half.x() / rx, half.y() / ry);
     double const square = dot(unit_half, unit_half);
-    double const away = square > 0 ? std::sqrt(std::max(0.0, 1 / square - 1)) : 0;
+    // Half a circle is drawn with a chord of two radii, which rounding must not bend: the centre answers to the square
+    // root of an error there.
+    double const far = geometry::length(start) + geometry::length(arc.end);
+    double const rounding = 8 * epsilon * (1 + far / geometry::length(start - arc.end));
+    double const away = 1 - square > rounding ? std::sqrt(1 / square - 1) : 0;
     double const side = arc.large == arc.sweep ? -1 : 1;
     Vec2 const unit_centre = geometry::turned_right(unit_half) * (side * away);
 

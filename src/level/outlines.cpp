@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/biarc.h"
 #include "geometry/elementary.h"
+#include "level/biarcs.h"
 #include "level/ellipse.h"
 #include "level/faults.h"
 #include "level/limits.h"
@@ -16,13 +16,6 @@ using geometry::Curve;
 using geometry::Segment;
 
 namespace {
-
-// Curves made into arcs are straight where the arc is flatter than the limit allows.
-Curve within_limits(geometry::Curve const& curve) {
-    auto const* arc = std::get_if<geometry::Arc>(&curve);
-    if (arc == nullptr || arc->radius <= most_metres) return curve;
-    return Segment{geometry::start_of(curve), geometry::end_of(curve)};
-}
 
 // Whether the control points lie on the chord and in its order, so that the curve is the chord itself.
 bool is_straight(Vec2 const& a, Vec2 const& first, Vec2 const& second, Vec2 const& b) {
@@ -99,11 +92,24 @@ private:
         if (arc.rx == 0 || arc.ry == 0) return keep(Segment{start, end});
         EllipticalArc const ellipse = mapped(map_, elliptical_arc(at_, arc));
         if (!is_circular(ellipse)) return append_ellipse(ellipse);
-        if (geometry::length(end - start) <= shortest_piece && !arc.large) return;
-        double const radius = std::sqrt(geometry::length(ellipse.cosine_axis) * geometry::length(ellipse.sine_axis));
-        bool const left = arc.sweep == (determinant(map_) > 0);
-        keep(arc_between(start, end, checked_radius(radius), arc.large ? Way::longer : Way::shorter,
-                         left ? Turn::left : Turn::right));
+        if (geometry::length(end - start) > shortest_piece || arc.large) keep(circular_arc(arc, ellipse, start, end));
+    }
+
+    // The drawn circle carried over whole, unless its transform is no similarity to the last digit: then the ends stay
+    // where they were drawn.
+    geometry::Arc circular_arc(ArcTo const& arc, EllipticalArc const& ellipse, Vec2 const& start,
+                               Vec2 const& end) const {
+        constexpr double slack = 1e-9;  // m, far below the reach of a vertex
+        double const radius =
+            checked_radius(std::sqrt(geometry::length(ellipse.cosine_axis) * geometry::length(ellipse.sine_axis)));
+        Vec2 const from = start - ellipse.centre;
+        double const sweep = determinant(map_) > 0 ? ellipse.sweep : -ellipse.sweep;
+        geometry::Arc const whole{ellipse.centre, radius, geometry::arctangent(from.y(), from.x()), sweep};
+        bool const ends_meet = geometry::length(geometry::start_of(whole) - start) <= slack &&
+                               geometry::length(geometry::end_of(whole) - end) <= slack;
+        if (ends_meet) return whole;
+        return arc_between(start, end, radius, arc.large ? Way::longer : Way::shorter,
+                           sweep > 0 ? Turn::left : Turn::right);
     }
 
     void append(QuadraticTo const& curve) {
@@ -118,14 +124,13 @@ private:
         bool const point =
             geometry::length(first - a) + geometry::length(second - a) + geometry::length(b - a) <= shortest_piece;
         if (point) return;
-        for (Curve const& piece : geometry::arcs_of_cubic(a, first, second, b, tolerance_)) keep(within_limits(piece));
+        for (Curve const& piece : arcs_of(Cubic{a, first, second, b}, tolerance_)) keep(piece);
     }
 
     void append_ellipse(EllipticalArc const& arc) {
         checked_radius(geometry::length(arc.cosine_axis));
         checked_radius(geometry::length(arc.sine_axis));
-        geometry::EllipticArc const ellipse{arc.centre, arc.cosine_axis, arc.sine_axis, arc.from, arc.sweep};
-        for (Curve const& piece : geometry::arcs_of_ellipse(ellipse, tolerance_)) keep(within_limits(piece));
+        for (Curve const& piece : arcs_of(arc, tolerance_)) keep(piece);
     }
 
     double checked_radius(double radius) const {

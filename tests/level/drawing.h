@@ -15,23 +15,31 @@
 
 namespace drawing {
 
+// The folder of this run, gone when it ends.
+class Folder {
+public:
+    Folder() : path_(std::filesystem::temp_directory_path() / ("smb2d-level-" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(Folder const&) = delete;
+    Folder& operator=(Folder const&) = delete;
+    std::filesystem::path const& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
 class File {
 public:
     explicit File(std::string const& text, std::string const& name = "level.svg") {
-        static int count = 0;
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("smb2d-level-" + std::to_string(getpid()) + "-" + std::to_string(count++));
-        std::filesystem::create_directories(folder_);
-        path_ = (folder_ / name).string();
+        static Folder const folder;
+        path_ = (folder.path() / name).string();
         std::ofstream(path_, std::ios::binary) << text;
     }
-    ~File() { std::filesystem::remove_all(folder_); }
-    File(File const&) = delete;
-    File& operator=(File const&) = delete;
     std::string const& path() const { return path_; }
 
 private:
-    std::filesystem::path folder_;
     std::string path_;
 };
 
