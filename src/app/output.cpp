@@ -1,11 +1,14 @@
 #include "app/output.h"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstring>
 #include <stdexcept>
 
@@ -16,6 +19,17 @@ namespace app {
 namespace {
 
 constexpr std::size_t block_size = 1u << 16;  // bytes
+constexpr int patience = 100;                 // ms, for which Ctrl-C may go unheard while nobody reads
+
+// Waits until a write of so many of the bytes will not block: a thread blocked in one would not hear Ctrl-C, which is
+// told to another thread.
+std::size_t writable_now(std::size_t wanted) {
+    struct stat status {};
+    if (::fstat(STDOUT_FILENO, &status) == 0 && S_ISREG(status.st_mode)) return wanted;
+    pollfd output{STDOUT_FILENO, POLLOUT, 0};
+    while (::poll(&output, 1, patience) <= 0) stop_if_interrupted();
+    return std::min<std::size_t>(wanted, PIPE_BUF);
+}
 
 }  // namespace
 
@@ -32,7 +46,7 @@ void hold_standard_streams() {
 
 void write_to_stdout(std::string_view bytes) {
     while (!bytes.empty()) {
-        ssize_t const written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        ssize_t const written = ::write(STDOUT_FILENO, bytes.data(), writable_now(bytes.size()));
         if (written < 0 && errno == EINTR) {
             stop_if_interrupted();
             continue;

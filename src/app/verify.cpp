@@ -28,11 +28,11 @@ std::vector<std::string> differences_in(Opened const& opened, game::MethodWish c
     std::vector<std::string> differences;
     if (run.level_hash && *run.level_hash != opened.level->hash)
         differences.push_back(difference("level_hash", *run.level_hash, opened.level->hash));
+    game::Session session = session_for(opened, wish);
     if (!run.final) return differences;
     double const end = run.duration.value_or(run.final->time);
     if (end != run.final->time)
         differences.push_back(difference("time", seventeen_digits(run.final->time), seventeen_digits(end)));
-    game::Session session = session_for(opened, wish);
     advance_in_stretches(session, end);
     std::string const hash = game::state_hash(session, end);
     if (hash != run.final->state_hash) differences.push_back(difference("state_hash", run.final->state_hash, hash));
