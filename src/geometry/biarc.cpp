@@ -1,0 +1,238 @@
+#include "geometry/biarc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "geometry/elementary.h"
+
+namespace geometry {
+
+namespace {
+
+constexpr int most_halvings = 24;
+constexpr int samples = 16;                 // points of the curve that must lie near its two arcs
+constexpr double sampled_share = 0.9;       // of the tolerance, for what lies between the samples
+constexpr double straight_ratio = 1e6;      // radius over chord; beyond it an arc's centre is too far to place its ends
+constexpr double rounding = 1e-12;          // of the curve's size: nearer than this is the same
+constexpr double smallest_agreement = 0.5;  // cosine between tangents within one pair of arcs
+
+bool same(Vec2 const& a, Vec2 const& b) { return a.x() == b.x() && a.y() == b.y(); }
+
+struct Cubic {
+    Vec2 c0, c1, c2, c3;  // by powers of t
+    double size = 0;      // m
+
+    Vec2 at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+
+    // Where the rate vanishes (a cusp, a doubled control point) the next rate that does not gives the direction.
+    Vec2 tangent(double t, double side) const {
+        Vec2 const rates[3] = {c1 + t * (2 * c2 + t * 3 * c3), side * (2 * c2 + 6 * t * c3), c3};
+        for (Vec2 const& rate : rates)
+            if (double const speed = length(rate); speed > 1e-9 * size) return rate / speed;
+        return {1, 0};
+    }
+};
+
+struct Ellipse {
+    EllipticArc arc;
+
+    Vec2 at(double t) const {
+        SineCosine const turn = sine_cosine(arc.from + arc.sweep * t);
+        return arc.centre + arc.first * turn.cosine + arc.second * turn.sine;
+    }
+    Vec2 tangent(double t, double) const {
+        SineCosine const turn = sine_cosine(arc.from + arc.sweep * t);
+        Vec2 const rate = (arc.second * turn.cosine - arc.first * turn.sine) * (arc.sweep < 0 ? -1 : 1);
+        return rate / length(rate);
+    }
+};
+
+// The arc that leaves `from` along the unit `tangent` and ends in `to`.
+Curve tangent_arc(Vec2 const& from, Vec2 const& tangent, Vec2 const& to) {
+    Vec2 const chord = to - from;
+    double const across = wedge(tangent, chord);
+    double const reach = dot(chord, chord);
+    if (std::abs(across) * 2 * straight_ratio <= std::sqrt(reach)) return Segment{from, to};
+    double const signed_radius = reach / (2 * across);
+    Vec2 const outward = turned_right(tangent) * signed_radius;
+    return Arc{from - outward, std::abs(signed_radius), arctangent(outward.y(), outward.x()),
+               2 * arctangent(across, dot(tangent, chord))};
+}
+
+// Two arcs with a common tangent between; of the one-parameter family, the pair with equal control lengths.
+std::vector<Curve> biarc(Vec2 const& p, Vec2 const& tangent_p, Vec2 const& q, Vec2 const& tangent_q) {
+    Vec2 const chord = q - p;
+    double const along = dot(chord, tangent_p + tangent_q);
+    double const reach = dot(chord, chord);
+    double const bend = 1 - dot(tangent_p, tangent_q);
+    double const control = reach / (along + std::sqrt(along * along + 2 * bend * reach));
+    Vec2 const joint = 0.5 * (p + q + control * (tangent_p - tangent_q));
+    return {tangent_arc(p, tangent_p, joint), reversed(tangent_arc(q, -tangent_q, joint))};
+}
+
+template <typename Path>
+double deviation(Path const& path, double low, double high, std::vector<Curve> const& pair) {
+    double worst = 0;
+    for (int i = 1; i < samples; ++i) {
+        Vec2 const point = path.at(low + (high - low) * i / samples);
+        worst =
+            std::max(worst, std::min(nearest_point(pair[0], point).distance, nearest_point(pair[1], point).distance));
+    }
+    return worst;
+}
+
+// Whether the piece turns so little that a pair of arcs can follow it without a loop or a fold.
+template <typename Path>
+bool is_gentle(Path const& path, double low, double high) {
+    Vec2 const chord = path.at(high) - path.at(low);
+    Vec2 const start = path.tangent(low, 1);
+    if (!(dot(chord, start) > 0 && dot(chord, path.tangent(high, -1)) > 0)) return false;
+    for (int quarter = 1; quarter <= 4; ++quarter)
+        if (dot(start, path.tangent(low + (high - low) * quarter / 4, -1)) < smallest_agreement) return false;
+    return true;
+}
+
+template <typename Path>
+void add_arcs(Path const& path, double low, double high, double tolerance, int halvings, std::vector<Curve>& arcs) {
+    Vec2 const start = path.at(low);
+    Vec2 const end = path.at(high);
+    if (halvings == most_halvings) {
+        if (!same(start, end)) arcs.push_back(Segment{start, end});
+        return;
+    }
+    if (is_gentle(path, low, high)) {
+        std::vector<Curve> const pair = biarc(start, path.tangent(low, 1), end, path.tangent(high, -1));
+        if (deviation(path, low, high, pair) <= sampled_share * tolerance) {
+            arcs.insert(arcs.end(), pair.begin(), pair.end());
+            return;
+        }
+    }
+    double const middle = 0.5 * (low + high);
+    add_arcs(path, low, middle, tolerance, halvings + 1, arcs);
+    add_arcs(path, middle, high, tolerance, halvings + 1, arcs);
+}
+
+// The real roots of c0 + c1 t + c2 t^2 within (0, 1), in order.
+std::vector<double> roots_within_one(double c0, double c1, double c2) {
+    double const discriminant = c1 * c1 - 4 * c2 * c0;
+    if (!(discriminant >= 0)) return {};
+    double const q = -0.5 * (c1 + (c1 < 0 ? -std::sqrt(discriminant) : std::sqrt(discriminant)));
+    std::vector<double> roots;
+    for (double const root : {c0 / q, q / c2})
+        if (root > 1e-9 && root < 1 - 1e-9) roots.push_back(root);
+    std::sort(roots.begin(), roots.end());
+    return roots;
+}
+
+// A curve on a straight line: out, and back where it overshoots.
+std::vector<Curve> straight_pieces(Cubic const& cubic, Vec2 const& direction) {
+    std::vector<double> ends =
+        roots_within_one(dot(cubic.c1, direction), 2 * dot(cubic.c2, direction), 3 * dot(cubic.c3, direction));
+    ends.push_back(1);
+    std::vector<Curve> pieces;
+    Vec2 start = cubic.c0;
+    for (double const t : ends) {
+        Vec2 const end = cubic.at(t);
+        if (length(end - start) > rounding * cubic.size) pieces.push_back(Segment{start, end});
+        start = end;
+    }
+    return pieces;
+}
+
+}  // namespace
+
+std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2, Vec2 const& p3, double tolerance) {
+    Vec2 const legs[3] = {p1 - p0, p2 - p0, p3 - p0};
+    Vec2 const longest =
+        *std::max_element(legs, legs + 3, [](Vec2 const& a, Vec2 const& b) { return length(a) < length(b); });
+    double const size = length(longest);
+    if (!(size > 0)) return {};
+    Cubic const cubic{p0, 3 * (p1 - p0), 3 * (p0 - 2 * p1 + p2), (p3 - p0) + 3 * (p1 - p2), size};
+    auto const on_line = [&](Vec2 const& leg) { return std::abs(wedge(longest, leg)) <= rounding * size * size; };
+    if (std::all_of(legs, legs + 3, on_line)) return straight_pieces(cubic, longest / size);
+
+    // Inflections and cusps: rate ^ bend = 0, a quadratic in t.
+    std::vector<double> ends =
+        roots_within_one(wedge(cubic.c1, cubic.c2), 3 * wedge(cubic.c1, cubic.c3), 3 * wedge(cubic.c2, cubic.c3));
+    ends.push_back(1);
+    std::vector<Curve> arcs;
+    double start = 0;
+    for (double const end : ends) {
+        if (end > start) add_arcs(cubic, start, end, tolerance, 0, arcs);
+        start = end;
+    }
+    return arcs;
+}
+
+std::vector<Curve> arcs_of_quadratic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2, double tolerance) {
+    return arcs_of_cubic(p0, p0 + (p1 - p0) * (2.0 / 3), p2 + (p1 - p2) * (2.0 / 3), p2, tolerance);
+}
+
+std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance) {
+    Vec2 const& a = ellipse.first;
+    Vec2 const& b = ellipse.second;
+    double const size = std::max(length(a), length(b));
+    if (!(size > 0) || ellipse.sweep == 0) return {};
+    double const area = wedge(a, b);
+    std::vector<Curve> arcs;
+    if (std::abs(dot(a, b)) <= rounding * size * size && std::abs(length(a) - length(b)) <= rounding * size) {
+        double const turned_by = arctangent(a.y(), a.x());
+        double const sense = area < 0 ? -1 : 1;
+        arcs.push_back(Arc{ellipse.centre, size, turned_by + sense * ellipse.from, sense * ellipse.sweep});
+        return arcs;
+    }
+    if (std::abs(area) <= rounding * size * size) {
+        // Seen edge-on: there and back between the turning points, closely enough in quarter turns of the sweep.
+        Ellipse const path{ellipse};
+        for (int i = 0; i < 64; ++i) {
+            Vec2 const start = path.at(i / 64.0);
+            Vec2 const end = path.at((i + 1) / 64.0);
+            if (!same(start, end)) arcs.push_back(Segment{start, end});
+        }
+        return arcs;
+    }
+    add_arcs(Ellipse{ellipse}, 0.0, 1.0, tolerance, 0, arcs);
+    return arcs;
+}
+
+EllipticArc ellipse_of(PathArc const& path) {
+    SineCosine const turn = sine_cosine(path.rotation);
+    Vec2 const half = turned(0.5 * (path.start - path.end), turn.cosine, -turn.sine);
+    double radius_x = std::abs(path.radii.x());
+    double radius_y = std::abs(path.radii.y());
+    Vec2 const unit{half.x() / radius_x, half.y() / radius_y};  // on the unit circle's scale
+    double const reach = length(unit);
+    if (reach > 1) {
+        radius_x *= reach;
+        radius_y *= reach;
+    }
+    Vec2 const to_start = reach > 1 ? Vec2(unit / reach) : unit;
+    double const scaled = std::min(reach, 1.0);
+    double const offset = scaled > 0 ? std::sqrt(std::max(0.0, (1 - scaled) * (1 + scaled))) / scaled : 0;
+    Vec2 const centre_unit = (path.large == path.positive ? -1 : 1) * offset * turned_right(to_start);
+    Vec2 const from_unit = to_start - centre_unit;
+    Vec2 const end_unit = -to_start - centre_unit;
+    EllipticArc arc;
+    Vec2 const centre_offset{centre_unit.x() * radius_x, centre_unit.y() * radius_y};
+    arc.centre = 0.5 * (path.start + path.end) + turned(centre_offset, turn.cosine, turn.sine);
+    arc.first = radius_x * Vec2(turn.cosine, turn.sine);
+    arc.second = radius_y * Vec2(-turn.sine, turn.cosine);
+    arc.from = arctangent(from_unit.y(), from_unit.x());
+    arc.sweep = arctangent(wedge(from_unit, end_unit), dot(from_unit, end_unit));
+    if (path.positive && arc.sweep < 0) arc.sweep += 2 * pi;
+    if (!path.positive && arc.sweep > 0) arc.sweep -= 2 * pi;
+    return arc;
+}
+
+Curve circle_of(PathArc const& path) {
+    double const radius = std::abs(path.radii.x());
+    if (!(radius > 0)) return Segment{path.start, path.end};
+    PathArc circle = path;
+    circle.radii = Vec2::Constant(radius);
+    circle.rotation = 0;
+    EllipticArc const arc = ellipse_of(circle);
+    return Arc{arc.centre, arc.first.x(), arc.from, arc.sweep};
+}
+
+}  // namespace geometry

@@ -1,0 +1,48 @@
+// Drawn curves as arcs that join with equal tangents: Bezier curves, ellipses and the arcs of an SVG path.
+#pragma once
+
+#include <vector>
+
+#include "geometry/curve.h"
+
+namespace geometry {
+
+inline constexpr double drawing_tolerance = 1e-3;  // m, how far an arc may leave the curve it stands for
+
+// Each answer runs from the first point to the last, end to start; it is empty where the curve is a single point.
+// Tangents agree at the joints except at the cusps of the curve itself.
+std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2, Vec2 const& p3,
+                                 double tolerance = drawing_tolerance);
+std::vector<Curve> arcs_of_quadratic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2,
+                                     double tolerance = drawing_tolerance);
+
+// centre + first cos(t) + second sin(t) for t from `from` over `sweep`. An affine map acts on the centre and on both
+// axes.
+struct EllipticArc {
+    Vec2 centre = Vec2::Zero();
+    Vec2 first = Vec2::Zero();
+    Vec2 second = Vec2::Zero();
+    double from = 0;   // rad
+    double sweep = 0;  // rad, at most one whole turn either way
+};
+
+// A circle gives one exact arc.
+std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance = drawing_tolerance);
+
+// The arc command of an SVG path. Its sense is that of the coordinates it is given in: "positive" turns x towards y.
+struct PathArc {
+    Vec2 start = Vec2::Zero();
+    Vec2 radii = Vec2::Zero();
+    double rotation = 0;  // rad, of the first axis
+    bool large = false;
+    bool positive = false;
+    Vec2 end = Vec2::Zero();
+};
+
+// Radii too small to reach are scaled up (SVG 1.1, F.6.6). Both radii must not be zero: that is a straight line.
+EllipticArc ellipse_of(PathArc const& path);
+
+// The exact arc of a circle; radii.x() is its radius, rotation is of no account. A zero radius gives a segment.
+Curve circle_of(PathArc const& path);
+
+}  // namespace geometry
