@@ -1,0 +1,158 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "geometry/biarc.h"
+
+using namespace geometry;
+
+namespace {
+
+constexpr double pi_half = 1.57079632679489661923;
+constexpr double joint_gap = 1e-9;  // m, the ends of an arc of a million chords' radius are rounded this much
+
+double distance_to(std::vector<Curve> const& curves, Vec2 const& point) {
+    double least = 1e300;
+    for (Curve const& curve : curves) least = std::min(least, nearest_point(curve, point).distance);
+    return least;
+}
+
+Vec2 point_of(Curve const& curve, double share) {
+    if (auto const* s = std::get_if<Segment>(&curve)) return s->start + share * (s->end - s->start);
+    Arc const& arc = std::get<Arc>(curve);
+    double const angle = arc.from + share * arc.sweep;
+    return arc.centre + arc.radius * Vec2(std::cos(angle), std::sin(angle));
+}
+
+// The larger of both one-sided distances, from dense samples of both.
+double deviation(std::vector<Curve> const& curves, std::function<Vec2(double)> const& at) {
+    constexpr int count = 1000;
+    double worst = 0;
+    std::vector<Vec2> points;
+    for (int i = 0; i <= count; ++i) {
+        points.push_back(at(static_cast<double>(i) / count));
+        worst = std::max(worst, distance_to(curves, points.back()));
+    }
+    for (Curve const& curve : curves)
+        for (double share = 0; share <= 1; share += 0.25) {
+            double least = 1e300;
+            for (int i = 0; i < count; ++i)
+                least =
+                    std::min(least, nearest_point(Segment{points[i], points[i + 1]}, point_of(curve, share)).distance);
+            worst = std::max(worst, least);
+        }
+    return worst;
+}
+
+double widest_gap(std::vector<Curve> const& curves) {
+    double gap = 0;
+    for (std::size_t i = 1; i < curves.size(); ++i)
+        gap = std::max(gap, length(start_of(curves[i]) - end_of(curves[i - 1])));
+    return gap;
+}
+
+double sharpest_joint(std::vector<Curve> const& curves) {
+    double kink = 0;
+    for (std::size_t i = 1; i < curves.size(); ++i)
+        kink = std::max(kink, length(tangent_at_start(curves[i]) - tangent_at_end(curves[i - 1])));
+    return kink;
+}
+
+std::function<Vec2(double)> cubic(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    return [=](double t) -> Vec2 {
+        double const s = 1 - t;
+        return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("arcs keep within a millimetre of any cubic and join with equal tangents") {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> metres(-5, 5);
+    for (int i = 0; i < 40; ++i) {
+        Vec2 p[4];
+        for (Vec2& point : p) point = Vec2(metres(random), metres(random));
+        std::vector<Curve> const arcs = arcs_of_cubic(p[0], p[1], p[2], p[3]);
+        // The polyline of 1000 chords that stands for the curve is itself 1e-5 m off.
+        CHECK(deviation(arcs, cubic(p[0], p[1], p[2], p[3])) <= drawing_tolerance + 2e-5);
+        CHECK(widest_gap(arcs) <= joint_gap);
+        CHECK(sharpest_joint(arcs) <= 3e-6);
+        CHECK(length(start_of(arcs.front()) - p[0]) <= joint_gap);
+        CHECK(length(end_of(arcs.back()) - p[3]) <= joint_gap);
+        CHECK(arcs.size() < 150);
+    }
+}
+
+TEST_CASE("cusps, loops, doubled control points and closed curves are followed") {
+    Vec2 const shapes[][4] = {
+        {{0, 0}, {2, 2}, {0, 2}, {2, 0}},   // a cusp
+        {{0, 0}, {3, 2}, {-1, 2}, {2, 0}},  // a loop
+        {{0, 0}, {0, 0}, {2, 2}, {4, 0}},  {{0, 0}, {2, 2}, {4, 0}, {4, 0}},  {{0, 0}, {0, 0}, {4, 1}, {4, 1}},
+        {{0, 0}, {4, 0}, {0, 4}, {0, 0}},  {{0, 0}, {1, 1}, {3, -1}, {4, 0}},
+    };
+    for (auto const& p : shapes) {
+        std::vector<Curve> const arcs = arcs_of_cubic(p[0], p[1], p[2], p[3]);
+        CHECK(deviation(arcs, cubic(p[0], p[1], p[2], p[3])) <= drawing_tolerance + 2e-5);
+        CHECK(widest_gap(arcs) <= joint_gap);
+    }
+}
+
+TEST_CASE("a straight cubic is a segment, a point is nothing") {
+    std::vector<Curve> const line = arcs_of_cubic({0, 0}, {1, 1}, {2, 2}, {3, 3});
+    REQUIRE(line.size() == 1);
+    CHECK(std::holds_alternative<Segment>(line[0]));
+    CHECK(length_of(line[0]) == doctest::Approx(3 * std::sqrt(2.0)).epsilon(1e-15));
+    CHECK(arcs_of_cubic({1, 1}, {1, 1}, {1, 1}, {1, 1}).empty());
+}
+
+TEST_CASE("a quadratic is the cubic it can be raised to") {
+    Vec2 const a(0, 0), b(2, 3), c(4, 0);
+    auto const at = [=](double t) -> Vec2 { return (1 - t) * (1 - t) * a + 2 * t * (1 - t) * b + t * t * c; };
+    CHECK(deviation(arcs_of_quadratic(a, b, c), at) <= drawing_tolerance + 2e-5);
+}
+
+TEST_CASE("an ellipse is followed within tolerance, a circle is one exact arc") {
+    EllipticArc const oval{{1, 2}, {3, 1}, {-0.5, 1}, 0.3, 4 * pi_half};
+    auto const at = [&](double t) -> Vec2 {
+        double const angle = oval.from + oval.sweep * t;
+        return oval.centre + std::cos(angle) * oval.first + std::sin(angle) * oval.second;
+    };
+    std::vector<Curve> const arcs = arcs_of_ellipse(oval);
+    CHECK(deviation(arcs, at) <= drawing_tolerance + 2e-5);
+    CHECK(widest_gap(arcs) <= joint_gap);
+    CHECK(sharpest_joint(arcs) <= 3e-6);
+    std::vector<Curve> const circle = arcs_of_ellipse({{0, 0}, {0, 2}, {2, 0}, 0, pi_half});
+    REQUIRE(circle.size() == 1);
+    CHECK(length(start_of(circle[0]) - Vec2(0, 2)) <= 1e-15);
+    CHECK(length(end_of(circle[0]) - Vec2(2, 0)) <= 1e-15);
+}
+
+TEST_CASE("the four arcs of an SVG path through two points are told apart by their flags") {
+    struct Case {
+        bool large, positive;
+        double sweep;
+        Vec2 centre;
+    };
+    Case const cases[] = {{false, true, pi_half, {0, 0}},
+                          {true, true, 3 * pi_half, {1, 1}},
+                          {false, false, -pi_half, {1, 1}},
+                          {true, false, -3 * pi_half, {0, 0}}};
+    for (Case const& c : cases) {
+        Arc const arc = std::get<Arc>(circle_of({{1, 0}, {1, 1}, 0, c.large, c.positive, {0, 1}}));
+        CHECK(length(arc.centre - c.centre) <= 1e-15);
+        CHECK(arc.sweep == doctest::Approx(c.sweep).epsilon(1e-14));
+        CHECK(length(start_of(arc) - Vec2(1, 0)) <= 1e-15);
+        CHECK(length(end_of(arc) - Vec2(0, 1)) <= 1e-15);
+    }
+}
+
+TEST_CASE("a radius too small to reach is scaled up to half the chord") {
+    Arc const arc = std::get<Arc>(circle_of({{0, 0}, {1, 1}, 0, false, true, {4, 0}}));
+    CHECK(arc.radius == doctest::Approx(2).epsilon(1e-15));
+    CHECK(length(arc.centre - Vec2(2, 0)) <= 1e-15);
+    CHECK(std::abs(arc.sweep) == doctest::Approx(2 * pi_half).epsilon(1e-15));
+}
