@@ -82,8 +82,9 @@ class Runs(ProgramTest):
                               ("z", {"inputs": [{"t": 1, "grab": {"ball": 0, "x": 1, "y": 1, "z": 1}}]}),
                               ("inputs[0]", {"inputs": [{"t": 1, "grab": {"ball": 9, "x": 1, "y": 1}}]}),
                               ("inputs[0]", {"inputs": [{"t": -1, "tilt": 0.1}]})]:
-            self.assert_fails(1, "simulate", self.write(**changes), says=says)
-            self.assert_fails(1, "verify", self.write(**changes), says=says)
+            run = self.write(**{"final": {"time": 2, "state_hash": "0123456789abcdef"}, **changes})
+            self.assert_fails(1, "simulate", run, says=says)
+            self.assert_fails(1, "verify", run, says=says)
 
     def test_what_is_not_a_run_is_refused(self):
         for text in ["", "{", "[]", "3", '{"smb2d": 1, "smb2d": 1, "level": "small.svg"}', "\0\1\2",
