@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace screen {
@@ -16,28 +17,32 @@ struct Cell {
     double beyond = 0;  // to every pixel further right: the height that the edges span
 };
 
+// Upwards to a multiple of tile_side.
+int whole_tiles(int pixels) { return (pixels + tile_side - 1) / tile_side * tile_side; }
+
 class Rows {
 public:
-    Rows(int width, int height) : width_(width), rows_(static_cast<std::size_t>(height)) {}
+    Rows(int right, int top, int bottom) : width_(right), top_(top), rows_(static_cast<std::size_t>(bottom - top)) {}
 
     void add_edge(Vec2 from, Vec2 to) {
         if (from.y() == to.y()) return;
         double const sign = from.y() < to.y() ? 1 : -1;
         if (sign < 0) std::swap(from, to);
-        double const top = std::max(from.y(), 0.0), bottom = std::min(to.y(), static_cast<double>(rows_.size()));
+        double const last = top_ + static_cast<double>(rows_.size());
+        double const top = std::max<double>(from.y(), top_), bottom = std::min(to.y(), last);
         double const slope = (to.x() - from.x()) / (to.y() - from.y());
         double y = top, x = from.x() + (top - from.y()) * slope;
         while (y < bottom) {
-            int const row = static_cast<int>(y);
-            double const next_y = std::min(bottom, row + 1.0);
+            int const number = static_cast<int>(y);
+            double const next_y = std::min(bottom, number + 1.0);
             double const next_x = from.x() + (next_y - from.y()) * slope;
-            add_in_row(rows_[static_cast<std::size_t>(row)], x, next_x, sign * (next_y - y));
+            add_in_row(row(number), x, next_x, sign * (next_y - y));
             y = next_y;
             x = next_x;
         }
     }
 
-    std::vector<std::vector<Cell>>& rows() { return rows_; }
+    std::vector<Cell>& row(int number) { return rows_[static_cast<std::size_t>(number - top_)]; }
 
 private:
     // An edge across part of one row, of the given signed height.
@@ -69,7 +74,7 @@ private:
         return height * (column + 1 - (a + b) / 2);
     }
 
-    int width_;
+    int width_, top_;
     std::vector<std::vector<Cell>> rows_;
 };
 
@@ -80,7 +85,8 @@ std::uint8_t even_odd(double winding) {
     return static_cast<std::uint8_t>(value * 255 + 0.5);
 }
 
-void fill_row(std::vector<Cell>& cells, std::uint8_t* values, int left, int width) {
+// Fills the pixels of one row from the box's left edge.
+void fill_row(std::vector<Cell>& cells, std::uint8_t* values, Box const& box) {
     std::sort(cells.begin(), cells.end(), [](Cell const& a, Cell const& b) { return a.column < b.column; });
     double sum = 0;
     for (std::size_t i = 0; i < cells.size();) {
@@ -90,9 +96,10 @@ void fill_row(std::vector<Cell>& cells, std::uint8_t* values, int left, int widt
             own += cells[i].inside;
             sum += cells[i].beyond;
         }
-        values[column - left] = even_odd(own);
-        int const next = i < cells.size() ? cells[i].column : left + width;
-        if (auto const value = even_odd(sum)) std::fill(values + column + 1 - left, values + next - left, value);
+        values[column - box.left] = even_odd(own);
+        int const next = i < cells.size() ? cells[i].column : box.right;
+        if (auto const value = even_odd(sum))
+            std::fill(values + column + 1 - box.left, values + next - box.left, value);
     }
 }
 
@@ -100,33 +107,86 @@ bool are_finite(std::vector<Vec2> const& ring) {
     return std::all_of(ring.begin(), ring.end(), [](Vec2 const& point) { return geometry::is_finite(point); });
 }
 
+// The box of the tiles that the rings reach, cut at the frame.
+Box reach(std::vector<std::vector<Vec2>> const& rings, int frame_width, int frame_height) {
+    double const width = whole_tiles(frame_width), height = whole_tiles(frame_height);
+    double left = width, right = 0, top = height, bottom = 0;
+    for (auto const& ring : rings)
+        for (Vec2 const& point : ring) {
+            left = std::min(left, point.x());
+            right = std::max(right, point.x());
+            top = std::min(top, point.y());
+            bottom = std::max(bottom, point.y());
+        }
+    return {whole_tiles(static_cast<int>(std::max(left, 0.0)) - tile_side + 1),
+            whole_tiles(static_cast<int>(std::max(top, 0.0)) - tile_side + 1),
+            whole_tiles(static_cast<int>(std::ceil(std::min(right, width)))),
+            whole_tiles(static_cast<int>(std::ceil(std::min(bottom, height))))};
+}
+
+enum class Inside { none, some, all };
+
+// Of a tile within rows of the given length.
+Inside inside(std::uint8_t const* corner, std::size_t stride) {
+    std::uint64_t any = 0, all = ~std::uint64_t{0};
+    for (int row = 0; row < tile_side; ++row, corner += stride)
+        for (int eighth = 0; eighth < tile_side; eighth += 8) {
+            std::uint64_t pixels = 0;
+            std::memcpy(&pixels, corner + eighth, sizeof pixels);
+            any |= pixels;
+            all &= pixels;
+        }
+    return any == 0 ? Inside::none : ~all == 0 ? Inside::all : Inside::some;
+}
+
+EdgeTile edge_tile(int left, int top, std::uint8_t const* corner, std::size_t stride) {
+    EdgeTile tile{left, top, {}};
+    for (std::size_t row = 0; row < tile_side; ++row)
+        std::copy_n(corner + row * stride, tile_side, tile.values.begin() + row * tile_side);
+    return tile;
+}
+
+// One row of tiles; a run of inner tiles grows the box above it where it is as wide.
+void add_tiles(Coverage& coverage, std::uint8_t const* row, Box const& box, int top) {
+    auto const stride = static_cast<std::size_t>(box.right - box.left);
+    for (int left = box.left; left < box.right;) {
+        std::uint8_t const* const corner = row + (left - box.left);
+        Inside const kind = inside(corner, stride);
+        if (kind == Inside::some) coverage.edges.push_back(edge_tile(left, top, corner, stride));
+        int right = left + tile_side;
+        if (kind == Inside::all) {
+            while (right < box.right && inside(row + (right - box.left), stride) == Inside::all) right += tile_side;
+            auto const above = std::find_if(coverage.inside.begin(), coverage.inside.end(), [&](Box const& other) {
+                return other.bottom == top && other.left == left && other.right == right;
+            });
+            if (above != coverage.inside.end())
+                above->bottom += tile_side;
+            else
+                coverage.inside.push_back({left, top, right, top + tile_side});
+        }
+        left = right;
+    }
+}
+
 }  // namespace
 
 Coverage even_odd_coverage(std::vector<std::vector<Vec2>> const& rings, int frame_width, int frame_height) {
-    double least_x = frame_width, most_x = 0, least_y = frame_height, most_y = 0;
-    for (auto const& ring : rings)
-        for (Vec2 const& point : ring) {
-            least_x = std::min(least_x, point.x());
-            most_x = std::max(most_x, point.x());
-            least_y = std::min(least_y, point.y());
-            most_y = std::max(most_y, point.y());
-        }
-    Coverage coverage;
-    coverage.left = static_cast<int>(std::max(0.0, std::floor(least_x)));
-    coverage.top = static_cast<int>(std::max(0.0, std::floor(least_y)));
-    coverage.width = static_cast<int>(std::min<double>(frame_width, std::ceil(most_x))) - coverage.left;
-    coverage.height = static_cast<int>(std::min<double>(frame_height, std::ceil(most_y))) - coverage.top;
-    if (coverage.width <= 0 || coverage.height <= 0) return {};
-    Rows rows(frame_width, frame_height);
+    Box const box = reach(rings, frame_width, frame_height);
+    if (box.left >= box.right || box.top >= box.bottom) return {};
+    Rows rows(box.right, box.top, box.bottom);
     for (auto const& ring : rings) {
         if (!are_finite(ring)) continue;
         for (std::size_t i = 0; i < ring.size(); ++i) rows.add_edge(ring[i], ring[(i + 1) % ring.size()]);
     }
-    auto const width = static_cast<std::size_t>(coverage.width);
-    coverage.values.resize(width * static_cast<std::size_t>(coverage.height));
-    for (int row = 0; row < coverage.height; ++row)
-        fill_row(rows.rows()[static_cast<std::size_t>(coverage.top + row)],
-                 coverage.values.data() + static_cast<std::size_t>(row) * width, coverage.left, coverage.width);
+    Coverage coverage;
+    auto const width = static_cast<std::size_t>(box.right - box.left);
+    std::vector<std::uint8_t> values(width * tile_side);
+    for (int top = box.top; top < box.bottom; top += tile_side) {
+        std::fill(values.begin(), values.end(), std::uint8_t{0});
+        for (int row = 0; row < tile_side; ++row)
+            fill_row(rows.row(top + row), values.data() + static_cast<std::size_t>(row) * width, box);
+        add_tiles(coverage, values.data(), box, top);
+    }
     return coverage;
 }
 

@@ -1,6 +1,7 @@
 // How much of each pixel lies inside closed polylines: exact areas, even-odd, no GL.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,10 +9,23 @@
 
 namespace screen {
 
-// A box of pixels, 255 where all of the pixel is inside; the top row first.
+// Areas are painted in squares of pixels: those all inside need no coverage, those all outside no paint.
+constexpr int tile_side = 16;  // pixels
+
+struct Box {
+    int left = 0, top = 0, right = 0, bottom = 0;  // pixels, right and bottom excluded
+};
+
+// A square that an edge runs through: 255 where all of the pixel is inside; the top row first.
+struct EdgeTile {
+    int left = 0, top = 0;  // pixels
+    std::array<std::uint8_t, tile_side * tile_side> values{};
+};
+
+// Tiles lie at multiples of tile_side and may reach beyond the frame by less than one.
 struct Coverage {
-    int left = 0, top = 0, width = 0, height = 0;  // pixels; no area when nothing is inside
-    std::vector<std::uint8_t> values;
+    std::vector<Box> inside;
+    std::vector<EdgeTile> edges;
 };
 
 // Of the pixels of a frame of the given size. Where edges cross inside one pixel its value is approximate.

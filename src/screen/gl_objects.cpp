@@ -30,8 +30,7 @@ Texture::Texture(GladGLContext const& gl, GLint format, int width, int height, S
     GLenum const channels = format == GL_R8 ? GL_RED : GL_RGBA;
     gl_.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, channels, GL_UNSIGNED_BYTE, nullptr);
     bool const tiled = sampling == Sampling::tiled;
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, tiled ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, tiled ? GL_LINEAR : GL_NEAREST);
+    filter(GL_NEAREST, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, tiled ? GL_REPEAT : GL_CLAMP_TO_EDGE);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, tiled ? GL_REPEAT : GL_CLAMP_TO_EDGE);
 }
@@ -53,6 +52,15 @@ void Texture::make_smaller_copies() const {
     gl_.BindTexture(GL_TEXTURE_2D, name_);
     gl_.GenerateMipmap(GL_TEXTURE_2D);
 }
+
+void Texture::filter(GLint smaller, GLint larger) const {
+    gl_.BindTexture(GL_TEXTURE_2D, name_);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, smaller);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, larger);
+}
+
+void Texture::blend_texels() const { filter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR); }
+void Texture::take_nearest_texels() const { filter(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST); }
 
 Canvas::Canvas(GladGLContext const& gl, int width, int height)
     : gl_(gl), colours_(gl, GL_RGBA8, width, height, Sampling::exact) {

@@ -25,8 +25,13 @@ public:
     // One byte a texel into a box of the texture.
     void upload(int left, int top, int width, int height, std::uint8_t const* bytes) const;
     void make_smaller_copies() const;
+    // What lies between texels: a blend, or the nearest one, which costs less.
+    void blend_texels() const;
+    void take_nearest_texels() const;
 
 private:
+    void filter(GLint smaller, GLint larger) const;
+
     GladGLContext const& gl_;
     GLuint name_ = 0;
     int width_, height_;

@@ -1,5 +1,6 @@
 #include "screen/painter.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -16,32 +17,41 @@ namespace {
 
 constexpr int coverage_unit = 0, grain_unit = 1, atlas_unit = 2;
 
-char const* fragment_source(Program program) {
+constexpr int edge_tiles_across = 64;
+constexpr int edge_atlas_side = edge_tiles_across * tile_side;  // texels
+
+std::string fragment_source(Program program) {
+    std::string const head = shaders::fragment_head, area = head + shaders::area;
     switch (program) {
         case Program::sky:
-            return shaders::sky;
+            return head + shaders::sky;
         case Program::disc:
-            return shaders::disc;
+            return head + shaders::disc;
         case Program::box:
-            return shaders::box;
+            return head + shaders::box;
         case Program::arc:
-            return shaders::arc;
-        case Program::area:
-            return shaders::area;
+            return head + shaders::arc;
+        case Program::smooth_area:
+            return area + shaders::smooth_area;
+        case Program::smooth_edge:
+            return area + shaders::smooth_edge;
+        case Program::grained_area:
+            return area + shaders::grained_area;
+        case Program::grained_edge:
+            return area + shaders::grained_edge;
         case Program::glyph:
-            return shaders::glyph;
+            return head + shaders::glyph;
         case Program::shell:
             break;
     }
-    return shaders::shell;
+    return head + shaders::shell;
 }
 
 double wrapped(double value, double period) { return value - period * std::floor(value / period); }
 
 // The grain's place is taken modulo its tile, so that a far world origin costs no precision.
-Quad area_quad(Coverage const& coverage, view::Paint const& paint) {
+Quad area_quad(view::Paint const& paint) {
     Quad quad;
-    quad.corners = upright(coverage.left, coverage.top, coverage.left + coverage.width, coverage.top + coverage.height);
     quad.colour = floats(paint.top);
     quad.second_colour = floats(paint.bottom);
     double const tile = grain_metres * std::max(paint.grain_scale, 1e-3);  // pixels
@@ -54,6 +64,13 @@ Quad area_quad(Coverage const& coverage, view::Paint const& paint) {
     return quad;
 }
 
+std::unique_ptr<Texture> grain_texture(GladGLContext const& gl) {
+    auto grain = std::make_unique<Texture>(gl, GL_R8, grain_side, grain_side, Sampling::tiled);
+    grain->upload(0, 0, grain_side, grain_side, grain_tile().data());
+    grain->make_smaller_copies();
+    return grain;
+}
+
 }  // namespace
 
 struct Painter::Body {
@@ -63,7 +80,10 @@ struct Painter::Body {
     std::unique_ptr<Canvas> frame, backdrop;
     unsigned long long backdrop_key = 0;  // 0 = none is kept
     std::unique_ptr<Texture> coverage, grain, atlas;
+    std::optional<bool> grain_blended;
     std::unique_ptr<Glyphs> glyphs;
+    std::vector<std::uint8_t> edge_atlas;
+    int edge_tiles = 0;  // in the atlas, of the areas that wait in the batch
     Batch batch;
 
     explicit Body(FindGlFunction find) : gl(gl_table(find)) {
@@ -84,6 +104,8 @@ struct Painter::Body {
     void add(view::Sky const& sky) { add_shape(batch, sky, width(), height()); }
     void add(view::Area const& area);
     void add(view::Label const& label);
+    void choose_grain(double pixels_per_metre);
+    int kept(EdgeTile const& tile);
     template <class Shape>
     void add(Shape const& shape) {
         add_shape(batch, shape);
@@ -101,7 +123,6 @@ void Painter::Body::resize(int width, int height) {
     backdrop.reset();
     backdrop_key = 0;
     frame = std::make_unique<Canvas>(gl, width, height);
-    coverage.reset();
     for (auto& made : programs) made.reset();
 }
 
@@ -126,7 +147,6 @@ void Painter::Body::paint(view::Picture const& picture) {
 
 void Painter::Body::paint_shapes(std::vector<view::Shape> const& shapes) {
     gl.Disable(GL_DEPTH_TEST);
-    gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     batch.clear();
     for (view::Shape const& shape : shapes) std::visit([this](auto const& it) { add(it); }, shape);
@@ -134,18 +154,44 @@ void Painter::Body::paint_shapes(std::vector<view::Shape> const& shapes) {
 }
 
 void Painter::Body::add(view::Area const& area) {
-    Coverage const inside = even_odd_coverage(area.rings, width(), height());
-    if (inside.values.empty()) return;
-    flush();  // what is waiting may need the texture as it is
-    if (!coverage) coverage = std::make_unique<Texture>(gl, GL_R8, width(), height(), Sampling::exact);
-    coverage->upload(inside.left, inside.top, inside.width, inside.height, inside.values.data());
-    if (!grain) {
-        grain = std::make_unique<Texture>(gl, GL_R8, grain_side, grain_side, Sampling::tiled);
-        grain->upload(0, 0, grain_side, grain_side, grain_tile().data());
-        grain->make_smaller_copies();
+    Coverage const covered = even_odd_coverage(area.rings, width(), height());
+    view::Paint const& paint = area.paint;
+    bool const grained = paint.grain > 0, opaque = paint.top.alpha >= 1 && paint.bottom.alpha >= 1;
+    if (grained) choose_grain(paint.grain_scale);
+    Quad quad = area_quad(paint);
+    for (Box const& box : covered.inside) {
+        quad.corners = upright(box.left, box.top, box.right, box.bottom);
+        batch.add(grained ? Program::grained_area : Program::smooth_area, quad,
+                  opaque ? Blending::opaque : Blending::over);
     }
-    batch.add(Program::area, area_quad(inside, area.paint));
+    for (EdgeTile const& tile : covered.edges) {
+        quad.corners = upright(tile.left, tile.top, tile.left + tile_side, tile.top + tile_side);
+        quad.form[3] = static_cast<float>(kept(tile));
+        batch.add(grained ? Program::grained_edge : Program::smooth_edge, quad);
+    }
+}
+
+// Magnified texels are blended, for else they would be seen as squares.
+void Painter::Body::choose_grain(double pixels_per_metre) {
+    if (!grain) grain = grain_texture(gl);
+    constexpr double slightly = 1.1;
+    bool const wanted = pixels_per_metre > slightly * grain_side / grain_metres;
+    if (grain_blended == wanted) return;
     flush();
+    wanted ? grain->blend_texels() : grain->take_nearest_texels();
+    grain_blended = wanted;
+}
+
+// The tile's number in the atlas until the next flush.
+int Painter::Body::kept(EdgeTile const& tile) {
+    if (edge_tiles == edge_tiles_across * edge_tiles_across) flush();
+    edge_atlas.resize(static_cast<std::size_t>(edge_atlas_side) * edge_atlas_side);
+    int const number = edge_tiles++;
+    int const left = number % edge_tiles_across * tile_side, top = number / edge_tiles_across * tile_side;
+    for (int row = 0; row < tile_side; ++row)
+        std::copy_n(tile.values.begin() + row * tile_side, tile_side,
+                    edge_atlas.begin() + (top + row) * edge_atlas_side + left);
+    return number;
 }
 
 // A text that does not fit an empty atlas is drawn smaller.
@@ -186,8 +232,7 @@ GlProgram const& Painter::Body::program(Program which) {
         made->use();
         return *made;
     }
-    made =
-        std::make_unique<GlProgram>(gl, shaders::vertex, std::string(shaders::fragment_head) + fragment_source(which));
+    made = std::make_unique<GlProgram>(gl, shaders::vertex, fragment_source(which));
     made->use();
     made->set("frame_size", static_cast<float>(width()), static_cast<float>(height()));
     made->set_unit("coverage", coverage_unit);
@@ -203,6 +248,13 @@ void Painter::Body::flush() {
         atlas->upload(0, 0, atlas_side, atlas_side, glyphs->atlas().data());
         glyphs->mark_seen();
     }
+    if (edge_tiles > 0) {
+        if (!coverage)
+            coverage = std::make_unique<Texture>(gl, GL_R8, edge_atlas_side, edge_atlas_side, Sampling::exact);
+        int const rows = (edge_tiles + edge_tiles_across - 1) / edge_tiles_across * tile_side;
+        coverage->upload(0, 0, edge_atlas_side, rows, edge_atlas.data());
+        edge_tiles = 0;
+    }
     if (coverage) coverage->bind(coverage_unit);
     if (grain) grain->bind(grain_unit);
     if (atlas) atlas->bind(atlas_unit);
@@ -212,6 +264,10 @@ void Painter::Body::flush() {
     gl.BufferData(GL_ARRAY_BUFFER, size, batch.quads.data(), GL_STREAM_DRAW);
     for (Run const& run : batch.runs) {
         program(run.program).use();
+        if (run.blending == Blending::over)
+            gl.Enable(GL_BLEND);
+        else
+            gl.Disable(GL_BLEND);
         point_at(run.first);
         gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, run.count);
     }

@@ -73,18 +73,30 @@ void main() {
 }
 )";
 
-// place: pixel of the world's origin, texels per pixel, level of detail; form: upper y, lower y, strength.
+// All areas, with what `paint` and `inside` stand for below. place: pixel of the world's origin, tiles of grain a
+// pixel, level of detail; form: upper y, lower y, strength of the grain, number of the edge tile in its atlas.
 inline constexpr char const* area = R"(
 uniform sampler2D coverage, grain;
-void main() {
-    float inside = texelFetch(coverage, ivec2(gl_FragCoord.xy), 0).r;
-    float t = clamp((gl_FragCoord.y - form.x) / (form.y - form.x), 0.0, 1.0);
-    vec4 paint = mix(colour, second_colour, t);
+vec4 smooth_paint() {
+    return mix(colour, second_colour, clamp((gl_FragCoord.y - form.x) / (form.y - form.x), 0.0, 1.0));
+}
+vec4 grained_paint() {
+    vec4 paint = smooth_paint();
     vec2 texel = (gl_FragCoord.xy - place.xy) * place.z;
-    if (form.z > 0.0) paint.rgb *= 1.0 + form.z * (textureLod(grain, texel, place.w).r - 0.502);
-    pixel = vec4(min(paint.rgb, 1.0) * paint.a, paint.a) * inside;
+    paint.rgb *= 1.0 + form.z * (textureLod(grain, texel, place.w).r - 0.502);
+    return vec4(min(paint.rgb, 1.0), paint.a);
+}
+float edge() {
+    const int side = 16, across = 64;
+    int tile = int(form.w);
+    ivec2 corner = side * ivec2(tile % across, tile / across);
+    return texelFetch(coverage, corner + (ivec2(gl_FragCoord.xy) & (side - 1)), 0).r;
 }
 )";
+inline constexpr char const* smooth_area = "void main() { pixel = multiplied(smooth_paint()); }";
+inline constexpr char const* smooth_edge = "void main() { pixel = multiplied(smooth_paint()) * edge(); }";
+inline constexpr char const* grained_area = "void main() { pixel = multiplied(grained_paint()); }";
+inline constexpr char const* grained_edge = "void main() { pixel = multiplied(grained_paint()) * edge(); }";
 
 // place: what to add to a pixel's place to get its texel.
 inline constexpr char const* glyph = R"(

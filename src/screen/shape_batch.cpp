@@ -75,8 +75,9 @@ void add_ring(Batch& batch, Quad quad, Vec2 const& centre, double inner, double 
 
 }  // namespace
 
-void Batch::add(Program program, Quad const& quad) {
-    if (runs.empty() || runs.back().program != program) runs.push_back({program, static_cast<int>(quads.size()), 0});
+void Batch::add(Program program, Quad const& quad, Blending blending) {
+    if (runs.empty() || runs.back().program != program || runs.back().blending != blending)
+        runs.push_back({program, blending, static_cast<int>(quads.size()), 0});
     quads.push_back(quad);
     ++runs.back().count;
 }
@@ -101,7 +102,7 @@ void add_shape(Batch& batch, view::Sky const& sky, int width, int height) {
     quad.second_colour = floats(sky.bottom);
     quad.corners = upright(0, 0, width, height);
     quad.form = {0, narrow(height), 0, 0};
-    batch.add(Program::sky, quad);
+    batch.add(Program::sky, quad, sky.top.alpha >= 1 && sky.bottom.alpha >= 1 ? Blending::opaque : Blending::over);
 }
 
 void add_shape(Batch& batch, view::Disc const& disc) {

@@ -8,8 +8,11 @@
 
 namespace screen {
 
-enum class Program { sky, disc, box, arc, area, glyph, shell };
-constexpr int program_count = 7;
+enum class Program { sky, disc, box, arc, smooth_area, smooth_edge, grained_area, grained_edge, glyph, shell };
+constexpr int program_count = 10;
+
+// Whether what lies below shows through; where it does not, painting costs less.
+enum class Blending { over, opaque };
 
 // What one quad is drawn from; shaders.h says what each program takes place and form for.
 struct Quad {
@@ -19,6 +22,7 @@ struct Quad {
 
 struct Run {
     Program program;
+    Blending blending;
     int first = 0, count = 0;  // quads
 };
 
@@ -27,7 +31,7 @@ struct Batch {
     std::vector<Run> runs;
 
     bool is_empty() const { return quads.empty(); }
-    void add(Program program, Quad const& quad);
+    void add(Program program, Quad const& quad, Blending blending = Blending::over);
     void clear();
 };
 

@@ -13,16 +13,24 @@ namespace {
 // Half a level of rounding, as a share of a pixel.
 constexpr double half_level = 0.5001 / 255;
 
-double value_at(screen::Coverage const& coverage, int x, int y) {
-    x -= coverage.left;
-    y -= coverage.top;
-    if (x < 0 || y < 0 || x >= coverage.width || y >= coverage.height) return 0;
-    return coverage.values[static_cast<std::size_t>(y * coverage.width + x)] / 255.0;
+bool holds(screen::Box const& box, int x, int y) {
+    return x >= box.left && x < box.right && y >= box.top && y < box.bottom;
 }
 
-double total(screen::Coverage const& coverage) {
+double value_at(screen::Coverage const& coverage, int x, int y) {
+    double value = 0;
+    for (auto const& box : coverage.inside) value += holds(box, x, y) ? 1 : 0;
+    for (auto const& tile : coverage.edges)
+        if (holds({tile.left, tile.top, tile.left + screen::tile_side, tile.top + screen::tile_side}, x, y))
+            value += tile.values[static_cast<std::size_t>((y - tile.top) * screen::tile_side + x - tile.left)] / 255.0;
+    return value;
+}
+
+double total(Rings const& rings, int width, int height) {
+    auto const coverage = even_odd_coverage(rings, width, height);
     double sum = 0;
-    for (auto const value : coverage.values) sum += value / 255.0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) sum += value_at(coverage, x, y);
     return sum;
 }
 
@@ -45,30 +53,39 @@ TEST_CASE("a triangle's coverage adds up to its area, in whatever direction it i
     Rings const other{{one[0][2], one[0][1], one[0][0]}};
     double const area = 0.5 * std::abs((37.7 - 3.3) * (29.9 - 2.1) - (12.4 - 3.3) * (9.2 - 2.1));
     // Each pixel of the edge, a hundred or so, is rounded by up to half a level.
-    CHECK(std::abs(total(even_odd_coverage(one, 40, 32)) - area) < 0.1);
-    CHECK(even_odd_coverage(one, 40, 32).values == even_odd_coverage(other, 40, 32).values);
+    CHECK(std::abs(total(one, 40, 32) - area) < 0.1);
+    auto const a = even_odd_coverage(one, 40, 32), b = even_odd_coverage(other, 40, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 40; ++x) CHECK(value_at(a, x, y) == value_at(b, x, y));
 }
 
 TEST_CASE("what lies outside of the frame is cut off, on all sides") {
-    auto const coverage = even_odd_coverage({{{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}}}, 30, 20);
-    CHECK(total(coverage) == 600);
-    CHECK(even_odd_coverage({{{-9, -9}, {-2, -9}, {-2, 50}, {-9, 50}}}, 30, 20).values.empty());
-    CHECK(even_odd_coverage({{{40, 2}, {50, 2}, {50, 5}}}, 30, 20).values.empty());
+    CHECK(total({{{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}}}, 30, 20) == 600);
+    CHECK(total({{{-9, -9}, {-2, -9}, {-2, 50}, {-9, 50}}}, 30, 20) == 0);
+    CHECK(total({{{40, 2}, {50, 2}, {50, 5}}}, 30, 20) == 0);
     // Half of it lies to the left: a diamond around the left edge's middle.
-    CHECK(std::abs(total(even_odd_coverage({{{-8, 10}, {0, 2}, {8, 10}, {0, 18}}}, 30, 20)) - 64) < 0.1);
+    CHECK(std::abs(total({{{-8, 10}, {0, 2}, {8, 10}, {0, 18}}}, 30, 20) - 64) < 0.1);
 }
 
 TEST_CASE("two rings over each other leave a hole, wherever they turn") {
     std::vector<Vec2> const outer{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, inner{{5, 5}, {15, 5}, {15, 15}, {5, 15}},
         turned{{5, 15}, {15, 15}, {15, 5}, {5, 5}};
-    CHECK(total(even_odd_coverage({outer, inner}, 30, 30)) == 300);
-    CHECK(total(even_odd_coverage({outer, turned}, 30, 30)) == 300);
-    CHECK(total(even_odd_coverage({outer, outer}, 30, 30)) == 0);
+    CHECK(total({outer, inner}, 30, 30) == 300);
+    CHECK(total({outer, turned}, 30, 30) == 300);
+    CHECK(total({outer, outer}, 30, 30) == 0);
+}
+
+TEST_CASE("tiles are painted once each") {
+    Rings const rings{{{-5, 30}, {90, 3}, {210, 60}, {120, 190}, {20, 150}}, {{60, 60}, {120, 60}, {90, 110}}};
+    auto const coverage = even_odd_coverage(rings, 200, 160);
+    CHECK_FALSE(coverage.inside.empty());
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 200; ++x) CHECK(value_at(coverage, x, y) <= 1);
 }
 
 TEST_CASE("rings with fewer than three points, or none, cover nothing") {
-    CHECK(total(even_odd_coverage({}, 9, 9)) == 0);
-    CHECK(total(even_odd_coverage({{}}, 9, 9)) == 0);
-    CHECK(total(even_odd_coverage({{{3, 3}}}, 9, 9)) == 0);
-    CHECK(total(even_odd_coverage({{{3, 3}, {7, 8}}}, 9, 9)) == 0);
+    CHECK(total(Rings{}, 9, 9) == 0);
+    CHECK(total(Rings{{}}, 9, 9) == 0);
+    CHECK(total({{{3, 3}}}, 9, 9) == 0);
+    CHECK(total({{{3, 3}, {7, 8}}}, 9, 9) == 0);
 }
