@@ -49,8 +49,11 @@ ArticleStep article_step(Scene const& scene, Forces const& forces, int ball, Sta
     double const radius = scene.balls[ball].radius;
     Field const field = field_on(scene, forces, ball);
     ArticleStep step{state, {}};
-    step.state.velocity = flight_in(field, state.position, state.velocity, dt).velocity;
-    step.state.position += dt * step.state.velocity;
+    // Velocity first, then position with the new velocity; under the drag spring, stiff as it may be, by its closed
+    // form.
+    Flight const flight = flight_in(field, state.position, state.velocity, dt);
+    step.state.velocity = flight.velocity;
+    step.state.position = field.pulled ? flight.position : Vec2(state.position + dt * flight.velocity);
     geometry::Box const reach{step.state.position - Vec2::Constant(radius),
                               step.state.position + Vec2::Constant(radius)};
     // Feet within pieces first: a ball lifted out of a flat joint's pieces no longer overlaps their ends.

@@ -125,7 +125,10 @@ void hit(Stage& stage, Substep const& substep, Encounter& e, double time) {
     PairImpact const impact = after_pair_impact(a.state, *a.ball, b.state, *b.ball, normal, bounces ? restitution : 0);
     a.state = impact.first;
     b.state = impact.second;
-    if (!bounces && pressing > 0) e.leaning = true;
+    if (!bounces && pressing > 0) {
+        e.leaning = true;
+        stage.leaning[e.first] = stage.leaning[e.second] = 1;
+    }
     if (closing > 2 * pressing * substep.pace)
         substep.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
 }

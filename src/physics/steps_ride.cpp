@@ -58,27 +58,36 @@ Place place_after(Shape const& shape, Place const& place, double way) {
     return next;
 }
 
+// What acts at a place but for contact, along and off the surface.
+struct Pull {
+    double along = 0;  // m/s^2, along t
+    double off = 0;    // m/s^2, along n
+};
+Pull pull_at(Place const& place, Field const& field, double speed) {
+    Vec2 const a = acceleration_in(field, place.position, speed * place.tangent);
+    return {dot(a, place.tangent), dot(a, place.normal)};
+}
+
+double pressure_at(Place const& place, Pull const& pull, double speed) {
+    double const pressure = -(pull.off + place.curvature * speed * speed);
+    return pressure > weightless * (std::abs(pull.off) + std::abs(pull.along)) ? pressure : 0;
+}
+
 // Forces as they are in the middle of the stretch: of second order, and they neither feed nor drain a swing.
 Drive drive_over(Shape const& shape, Place const& place, Traveller const& traveller, double speed, double time) {
     Field const& field = traveller.field;
     Place const middle = place_after(shape, place, 0.5 * speed * time);
+    Pull const pull = pull_at(middle, field, speed);
     Drive drive;
     drive.material = *shape.material;
     drive.inertia = traveller.ball->inertia;
     drive.push = dot(field.gravity, middle.tangent);
-    double along = drive.push;
-    double off = dot(field.gravity, middle.normal);
+    drive.pulled = field.pulled;
     if (field.pulled) {
-        Vec2 const from_target = middle.position - field.target;
-        drive.pulled = true;
         drive.spring = field.spring;
-        drive.offset = dot(from_target, middle.tangent) - 0.5 * speed * time;
-        along -= field.spring.stiffness * dot(from_target, middle.tangent) + 2 * field.spring.decay * speed;
-        off -= field.spring.stiffness * dot(from_target, middle.normal);
+        drive.offset = dot(middle.position - field.target, middle.tangent) - 0.5 * speed * time;
     }
-    double const halfway = speed + 0.5 * time * along / (1 + drive.inertia);
-    drive.pressure = -(off + place.curvature * halfway * halfway);
-    if (drive.pressure <= weightless * (std::abs(off) + std::abs(along))) drive.pressure = 0;
+    drive.pressure = pressure_at(middle, pull, speed + 0.5 * time * pull.along / (1 + drive.inertia));
     return drive;
 }
 
@@ -232,12 +241,15 @@ double ride(Substep const& substep, Traveller& traveller, double left) {
     start.speed = dot(traveller.state.velocity, place.tangent);
     start.rim = -traveller.ball->radius * traveller.state.spin;
     double const time = stretch_of(substep, traveller, place, start.speed, left);
-    Drive const drive = drive_over(shape, place, traveller, start.speed, time);
-    if (drive.pressure <= 0) {
+    double const pressure = pressure_at(place, pull_at(place, traveller.field, start.speed), start.speed);
+    if (pressure == 0) {
         traveller.let_go = true;
         change_contact(substep, traveller, EventKind::lift, no_contact, now);
         return 0;
     }
+    Drive drive = drive_over(shape, place, traveller, start.speed, time);
+    // The last stretch before it comes off.
+    if (drive.pressure == 0) drive.pressure = 0.5 * pressure;
     traveller.state.position = place.position;
     Stretch const stretch = stretch_along(substep, traveller, shape, place, start, drive, time);
     put(traveller, stretch.end, stretch.along);

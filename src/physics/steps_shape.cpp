@@ -91,18 +91,22 @@ double circle_crossing_time(Path const& path, Vec2 const& origin, double rho, do
     double const c = (distance - rho) * (distance + rho);
     double const square = b * b - a * c;
     if (square < 0 || a == 0) return never;
+    // On the circle already, and by the parabola not crossing it now: the chord's root near 0 is none.
+    bool const touches = std::abs(distance - rho) <= touching * (rho + distance);
+    if (touches && (sense < 0 || b >= 0)) return never;
     double const root = std::sqrt(square);
     double t = never;
     if (sense < 0) t = b < 0 ? c / (root - b) : never;
     if (sense > 0) t = b > 0 ? -c / (root + b) : (root - b) / a;
     if (!(t >= 0) || t > path.time) return never;
+    // A chord cuts a corner that the parabola may clear: where the parabola does not cross there is no crossing.
     for (int i = 0; i < refinements; ++i) {
         Vec2 const at = path.at(t) - origin;
         double const rate = dot(at, path.velocity_at(t));
-        if (rate * sense <= 0) break;
+        if (rate * sense <= 0) return never;
         t -= 0.5 * (dot(at, at) - rho * rho) / rate;
     }
-    return std::clamp(t, 0.0, path.time);
+    return t >= 0 && t <= path.time ? t : never;
 }
 
 // Whether a ball that faces the circle from the side of `sense` (+1 outside) is pressed on at once.

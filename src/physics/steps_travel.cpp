@@ -41,10 +41,15 @@ bool joined(Terrain const& terrain, Contact contact, Shape const& shape) {
     return terrain.start_vertex[piece] == place || terrain.end_vertex[piece] == place;
 }
 
-bool stays_on(Terrain const& terrain, Traveller const& traveller, Contact contact) {
+// Whether a ball that has just met another surface keeps to the one it was on: it leaves it so slowly, if at all, that
+// it would be back within the substep.
+bool stays_on(Substep const& substep, Traveller const& traveller, Contact contact) {
     if (contact.feature < 0) return false;
-    Shape const shape = shape_of(terrain, contact.feature);
-    return std::abs(closing_speed(terrain, shape, traveller)) <= grazing * length(traveller.state.velocity);
+    Shape const shape = shape_of(substep.terrain, contact.feature);
+    Sight const sight = sight_of(substep.terrain, shape, traveller.state.position);
+    double const leaving = dot(traveller.state.velocity, sight.normal);
+    double const graze = grazing * length(traveller.state.velocity);
+    return leaving >= -graze && leaving <= graze + pressure_on(shape, sight, traveller) * substep.pace;
 }
 
 void glide_over_joint(Substep const& substep, Traveller& traveller, Shape const& shape, double now) {
@@ -104,12 +109,12 @@ void arrive(Substep const& substep, Traveller& traveller, Shape const& shape, do
                           .state;
     Contact const here{shape.feature, sight.side};
     if (bounces) {
-        bool const stays = stays_on(terrain, traveller, before);
+        bool const stays = stays_on(substep, traveller, before);
         if (before.feature >= 0 && !stays) change_contact(substep, traveller, EventKind::lift, no_contact, now);
         substep.events.push_back({substep.since + now, EventKind::bounce, traveller.index, traveller.state, here, -1});
         return;
     }
-    if (stays_on(terrain, traveller, before)) {
+    if (stays_on(substep, traveller, before)) {
         // Against a second surface while it keeps to the first.
         if (closing > pressure * substep.pace + gentle)
             substep.events.push_back(
@@ -160,8 +165,8 @@ double fly(Substep const& substep, Traveller& traveller, double left) {
 }
 
 Phase phase_of(Traveller const& traveller) {
-    if (traveller.contact.feature < 0) return Phase::flight;
     if (traveller.still) return Phase::rest;
+    if (traveller.contact.feature < 0) return Phase::flight;
     for (Shape const& shape : traveller.near.shapes) {
         if (shape.feature != traveller.contact.feature) continue;
         Vec2 const d = traveller.state.position - shape.origin;

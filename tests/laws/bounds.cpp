@@ -1,0 +1,53 @@
+#include "bounds.h"
+
+namespace laws {
+
+namespace {
+
+struct Row {
+    Law law;
+    physics::Method method;
+    double tolerance;
+};
+
+// `steps` is exact within a substep on lines, of second order on arcs, and sees a change of surface or phase that its
+// closed forms do not tell to within a substep: hence bounds of 1e-9, 1e-5 and 1e-3.
+// `article` is bound where its ball, all mass at the hub, obeys the same law; to first order in its step of 1/240 s.
+Row const table[] = {
+    {Law::flight, physics::Steps{}, 1e-9},
+    {Law::roll_on_slope, physics::Steps{}, 1e-9},
+    {Law::slide_on_slope, physics::Steps{}, 1e-9},
+    {Law::slip_to_roll, physics::Steps{}, 1e-9},
+    {Law::spin_down, physics::Steps{}, 1e-9},
+    {Law::rolling_resistance, physics::Steps{}, 1e-9},
+    {Law::swing_in_valley, physics::Steps{}, 1e-5},
+    {Law::energy_in_valley, physics::Steps{}, 1e-6},
+    {Law::lift_off, physics::Steps{}, 0.1},
+    {Law::loop, physics::Steps{}, 2e-3},
+    {Law::bend, physics::Steps{}, 1e-6},
+    {Law::hill, physics::Steps{}, 1e-9},
+    {Law::flat_joints, physics::Steps{}, 1e-9},
+    {Law::corner, physics::Steps{}, 1e-9},
+    {Law::vertex, physics::Steps{}, 1e-3},
+    {Law::bounce, physics::Steps{}, 1e-9},
+    {Law::impact_energy, physics::Steps{}, 1e-12},
+    {Law::pair_momentum, physics::Steps{}, 1e-12},
+    {Law::drag_in_air, physics::Steps{}, 1e-9},
+    {Law::drag_on_ground, physics::Steps{}, 1e-9},
+    {Law::groove, physics::Steps{}, 1e-2},
+    {Law::path_of_centre, physics::Steps{}, 1e-6},
+    {Law::path_of_centre, physics::Article{}, 1e-3},
+    {Law::flat_joints, physics::Article{}, 1e-9},
+    {Law::hill, physics::Article{}, 1e-2},
+};
+
+}  // namespace
+
+std::vector<Bound> bounds_of(Law law) {
+    std::vector<Bound> bounds;
+    for (Row const& row : table)
+        if (row.law == law) bounds.push_back({row.method, row.tolerance});
+    return bounds;
+}
+
+}  // namespace laws
