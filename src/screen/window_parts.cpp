@@ -1,5 +1,6 @@
 #include "screen/window_parts.h"
 
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -9,18 +10,24 @@ namespace {
 
 std::runtime_error failure(std::string const& what) { return std::runtime_error(what + ": " + SDL_GetError()); }
 
+std::runtime_error no_display() {
+    return std::runtime_error("no display to open a window on: neither DISPLAY nor WAYLAND_DISPLAY leads to one");
+}
+
 }  // namespace
 
 Display::Display() {
     // Our own handling of SIGINT and SIGTERM stays in place.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) throw failure("no display to open a window on");
+    // Without the folder of Wayland's socket its library would complain on our stderr; SDL_VIDEODRIVER still wins.
+    if (!std::getenv("XDG_RUNTIME_DIR")) SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,kmsdrm");
+    if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) throw no_display();
     // Without a display SDL may pick a driver that shows nothing.
     char const* const name = SDL_GetCurrentVideoDriver();
     std::string const driver = name ? name : "none";
     if (driver == "offscreen" || driver == "dummy" || driver == "evdev" || driver == "none") {
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
-        throw std::runtime_error("no display to open a window on (DISPLAY and WAYLAND_DISPLAY lead nowhere)");
+        throw no_display();
     }
 }
 
