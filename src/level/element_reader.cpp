@@ -68,7 +68,7 @@ void Elements::read(pugi::xml_node node, std::string_view tag, Context const& co
     if (std::find(roles.begin(), roles.end(), Role::ball) != roles.end()) ++balls_met_;
     if (roles.size() > 1)
         return fault(element, std::string("has two roles, ") + name_of(roles[0]) + " and " + name_of(roles[1]));
-    if (!may_have(tag, roles[0])) return fault(element, "a " + quoted(tag) + " cannot be " + name_of(roles[0]));
+    if (!may_have(tag, roles[0])) return fault(element, quoted(tag) + " cannot be " + name_of(roles[0]));
     inspect_data(element, roles[0]);
     try {
         read_role(element, roles[0]);

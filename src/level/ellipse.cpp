@@ -9,6 +9,7 @@
 namespace level {
 
 using geometry::dot;
+using geometry::EllipticArc;
 using geometry::pi;
 using geometry::wedge;
 
@@ -18,7 +19,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-EllipticalArc elliptical_arc(Vec2 const& start, ArcTo const& arc) {
+EllipticArc elliptical_arc(Vec2 const& start, ArcTo const& arc) {
     geometry::SineCosine const turn = geometry::sine_cosine(std::fmod(arc.rotation, 360.0) * (pi / 180));
     // In units of the radii and along the ellipse's axes it is a circle of radius one.
     Vec2 const half = geometry::turned((start - arc.end) / 2, turn.cosine, -turn.sine);
@@ -41,25 +42,25 @@ EllipticalArc elliptical_arc(Vec2 const& start, ArcTo const& arc) {
     if (arc.sweep && sweep < 0) sweep += 2 * pi;
     if (!arc.sweep && sweep > 0) sweep -= 2 * pi;
 
-    EllipticalArc result;
-    result.cosine_axis = Vec2(turn.cosine, turn.sine) * rx;
-    result.sine_axis = Vec2(-turn.sine, turn.cosine) * ry;
-    result.centre = (start + arc.end) / 2 + result.cosine_axis * unit_centre.x() + result.sine_axis * unit_centre.y();
+    EllipticArc result;
+    result.first = Vec2(turn.cosine, turn.sine) * rx;
+    result.second = Vec2(-turn.sine, turn.cosine) * ry;
+    result.centre = (start + arc.end) / 2 + result.first * unit_centre.x() + result.second * unit_centre.y();
     result.from = geometry::arctangent(from.y(), from.x());
     result.sweep = sweep;
     return result;
 }
 
-EllipticalArc mapped(Affine const& map, EllipticalArc const& arc) {
-    return {mapped(map, arc.centre), mapped_direction(map, arc.cosine_axis), mapped_direction(map, arc.sine_axis),
-            arc.from, arc.sweep};
+EllipticArc mapped(Affine const& map, EllipticArc const& arc) {
+    return {mapped(map, arc.centre), mapped_direction(map, arc.first), mapped_direction(map, arc.second), arc.from,
+            arc.sweep};
 }
 
-bool is_circular(EllipticalArc const& arc) {
-    double const a = dot(arc.cosine_axis, arc.cosine_axis), b = dot(arc.sine_axis, arc.sine_axis);
+bool is_circular(EllipticArc const& arc) {
+    double const a = dot(arc.first, arc.first), b = dot(arc.second, arc.second);
     // Squares: twice the slack of the lengths.
     double const slack = 2 * similarity_slack * std::max(a, b);
-    return std::abs(a - b) <= slack && std::abs(dot(arc.cosine_axis, arc.sine_axis)) <= slack;
+    return std::abs(a - b) <= slack && std::abs(dot(arc.first, arc.second)) <= slack;
 }
 
 geometry::Arc arc_between(Vec2 const& start, Vec2 const& end, double radius, Way way, Turn turn) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/biarc.h"
 #include "geometry/elementary.h"
-#include "level/biarcs.h"
 #include "level/ellipse.h"
 #include "level/faults.h"
 #include "level/limits.h"
@@ -16,6 +16,13 @@ using geometry::Curve;
 using geometry::Segment;
 
 namespace {
+
+// Curves made into arcs are straight where the arc is flatter than the limit allows.
+Curve within_limits(Curve const& curve) {
+    auto const* arc = std::get_if<geometry::Arc>(&curve);
+    if (arc == nullptr || arc->radius <= most_metres) return curve;
+    return Segment{geometry::start_of(curve), geometry::end_of(curve)};
+}
 
 // Whether the control points lie on the chord and in its order, so that the curve is the chord itself.
 bool is_straight(Vec2 const& a, Vec2 const& first, Vec2 const& second, Vec2 const& b) {
@@ -41,11 +48,10 @@ public:
 
     Traced of(Ellipse const& ellipse) {
         placed(map_, ellipse.centre);
-        EllipticalArc arc = whole(ellipse);
+        geometry::EllipticArc arc = whole(ellipse);
         outline_ = Outline{{}, true};
         if (is_circular(arc)) {
-            double const radius =
-                checked_radius(std::sqrt(geometry::length(arc.cosine_axis) * geometry::length(arc.sine_axis)));
+            double const radius = checked_radius(std::sqrt(geometry::length(arc.first) * geometry::length(arc.second)));
             if (radius > shortest_piece)
                 outline_.curves.push_back(geometry::Arc{arc.centre, radius, 0, 2 * geometry::pi});
         } else {
@@ -57,8 +63,8 @@ public:
     }
 
 private:
-    EllipticalArc whole(Ellipse const& ellipse) const {
-        EllipticalArc const arc{ellipse.centre, {ellipse.rx, 0}, {0, ellipse.ry}, 0, 2 * geometry::pi};
+    geometry::EllipticArc whole(Ellipse const& ellipse) const {
+        geometry::EllipticArc const arc{ellipse.centre, {ellipse.rx, 0}, {0, ellipse.ry}, 0, 2 * geometry::pi};
         return mapped(map_, arc);
     }
 
@@ -90,18 +96,18 @@ private:
         Vec2 const start = placed(map_, at_), end = placed(map_, arc.end);
         if (at_ == arc.end) return;
         if (arc.rx == 0 || arc.ry == 0) return keep(Segment{start, end});
-        EllipticalArc const ellipse = mapped(map_, elliptical_arc(at_, arc));
+        geometry::EllipticArc const ellipse = mapped(map_, elliptical_arc(at_, arc));
         if (!is_circular(ellipse)) return append_ellipse(ellipse);
         if (geometry::length(end - start) > shortest_piece || arc.large) keep(circular_arc(arc, ellipse, start, end));
     }
 
     // The drawn circle carried over whole, unless its transform is no similarity to the last digit: then the ends stay
     // where they were drawn.
-    geometry::Arc circular_arc(ArcTo const& arc, EllipticalArc const& ellipse, Vec2 const& start,
+    geometry::Arc circular_arc(ArcTo const& arc, geometry::EllipticArc const& ellipse, Vec2 const& start,
                                Vec2 const& end) const {
         constexpr double slack = 1e-9;  // m, far below the reach of a vertex
         double const radius =
-            checked_radius(std::sqrt(geometry::length(ellipse.cosine_axis) * geometry::length(ellipse.sine_axis)));
+            checked_radius(std::sqrt(geometry::length(ellipse.first) * geometry::length(ellipse.second)));
         Vec2 const from = start - ellipse.centre;
         double const sweep = determinant(map_) > 0 ? ellipse.sweep : -ellipse.sweep;
         geometry::Arc const whole{ellipse.centre, radius, geometry::arctangent(from.y(), from.x()), sweep};
@@ -124,13 +130,13 @@ private:
         bool const point =
             geometry::length(first - a) + geometry::length(second - a) + geometry::length(b - a) <= shortest_piece;
         if (point) return;
-        for (Curve const& piece : arcs_of(Cubic{a, first, second, b}, tolerance_)) keep(piece);
+        for (Curve const& piece : geometry::arcs_of_cubic(a, first, second, b, tolerance_)) keep(within_limits(piece));
     }
 
-    void append_ellipse(EllipticalArc const& arc) {
-        checked_radius(geometry::length(arc.cosine_axis));
-        checked_radius(geometry::length(arc.sine_axis));
-        for (Curve const& piece : arcs_of(arc, tolerance_)) keep(piece);
+    void append_ellipse(geometry::EllipticArc const& arc) {
+        checked_radius(geometry::length(arc.first));
+        checked_radius(geometry::length(arc.second));
+        for (Curve const& piece : geometry::arcs_of_ellipse(arc, tolerance_)) keep(within_limits(piece));
     }
 
     double checked_radius(double radius) const {
