@@ -18,7 +18,7 @@ std::vector<view::KeyHelp> key_help() {
             {".  N", "one step while paused"},
             {"S", "slow motion"},
             {"R", "from the beginning"},
-            {"Tab", "next level; so does PageDown, PageUp goes back"},
+            {"Tab", "next level; PageDown and PageUp walk through them"},
             {"O", "overlay: figures, forces, energy, all, none"},
             {"M", "next method, from the beginning"},
             {"F5", "save the run"},

@@ -75,12 +75,13 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
     Vec2 const view = size / camera.scale;
     Vec2 const ball = followed(level, history, time);
     Vec2 const mean = mean_of_path(level, history, time);
+    double const radius = level.scene.balls[static_cast<std::size_t>(level.player)].radius;
     for (int axis = 0; axis < 2; ++axis) {
         double const lag = soft_limit(ball[axis] - mean[axis], furthest_lag * view[axis]);
         double centre = kept_within(ball[axis] - lag + lens.pan[axis], level.size[axis], view[axis]);
-        // A level that is shown whole keeps still, wherever the ball goes.
-        if (level.size[axis] > view[axis])
-            centre = std::clamp(centre, ball[axis] - furthest_off * view[axis], ball[axis] + furthest_off * view[axis]);
+        // A level that is shown whole keeps still, wherever the ball goes; in a larger one the ball stays in sight.
+        double const furthest = std::max(0.25 * view[axis], 0.5 * view[axis] - radius);
+        if (level.size[axis] > view[axis]) centre = std::clamp(centre, ball[axis] - furthest, ball[axis] + furthest);
         camera.centre[axis] = centre;
     }
     return camera;

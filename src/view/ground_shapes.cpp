@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "view/ground.h"
@@ -7,7 +8,7 @@ namespace view {
 
 namespace {
 
-constexpr double earth_fade = 5;  // m below its top, over which earth darkens
+constexpr double earth_fade = 5;  // m below its top, over which earth darkens, at least
 
 struct Look {
     Colour top, bottom;
@@ -37,7 +38,8 @@ Area area_of(Patch const& patch, Camera const& camera) {
         for (Vec2 const& point : ring) pixels.push_back(pixel_of(camera, point));
     }
     Look const look = look_of(patch.cover);
-    double const depth = patch.cover == Cover::earth ? earth_fade : patch.box.high.y() - patch.box.low.y() + 0.1;
+    double const height = patch.box.high.y() - patch.box.low.y();
+    double const depth = patch.cover == Cover::earth ? std::clamp(height, earth_fade, 3 * earth_fade) : height + 0.1;
     area.paint.top = look.top;
     area.paint.bottom = look.bottom;
     area.paint.top_y = pixel_of(camera, patch.box.high).y();

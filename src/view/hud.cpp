@@ -160,7 +160,7 @@ std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& siz
     std::vector<Shape> shapes;
     double const unit = hud_scale(size);
     double const line = 30 * unit, letters = 18 * unit;
-    Vec2 const panel(620 * unit, line * static_cast<double>(rows.size()) + 96 * unit);
+    Vec2 const panel(680 * unit, line * static_cast<double>(rows.size()) + 96 * unit);
     Vec2 const corner = (size - panel) / 2;
     shapes.emplace_back(Panel{Vec2::Zero(), size, 0, colour(0x0c1620, 0.35f)});
     shapes.emplace_back(Panel{corner, panel, 22 * unit, colour(0xfffdf6, 0.96f)});

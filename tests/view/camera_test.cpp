@@ -1,0 +1,99 @@
+#include <doctest/doctest.h>
+
+#include "stages.h"
+#include "view/camera.h"
+
+using view::Vec2;
+using namespace view_test;
+
+// A few operations on numbers of the size of a thousand pixels lose at most some units in the last place.
+constexpr double rounding = 1e-9;
+
+TEST_CASE("a pixel of a point of the world is that point again") {
+    view::Camera const camera{Vec2(3.25, -7.5), 71.3, Vec2(1913, 777)};
+    for (Vec2 const& point : {Vec2(0, 0), Vec2(12.5, 3.75), Vec2(-400, 0.001)})
+        CHECK(geometry::length(view::world_of(camera, view::pixel_of(camera, point)) - point) < rounding);
+}
+
+TEST_CASE("the middle of the picture shows the camera's centre, and up in the world is up in the picture") {
+    view::Camera const camera{Vec2(2, 3), 100, Vec2(800, 600)};
+    CHECK(geometry::length(view::pixel_of(camera, Vec2(2, 3)) - Vec2(400, 300)) < rounding);
+    CHECK(geometry::length(view::pixel_of(camera, Vec2(2, 4)) - Vec2(400, 200)) < rounding);
+}
+
+TEST_CASE("a level of at most 16 m x 9 m is shown whole, wherever the ball is") {
+    struct Case {
+        Vec2 level, size;
+    };
+    for (Case const& c : {Case{{16, 9}, {1280, 720}}, Case{{16, 9}, {700, 900}}, Case{{4, 8.5}, {1280, 720}},
+                          Case{{15, 2}, {333, 101}}, Case{{16, 9}, {1921, 1080}}}) {
+        level::Level const level = floor_level(c.level.x(), c.level.y());
+        physics::State start;
+        start.velocity = Vec2(30, 12);
+        physics::History const history = steady_history(start);
+        for (double const time : {0.0, 0.4, 3.0}) {
+            view::Camera const camera = view::camera_at(level, history, time, c.size);
+            geometry::Box const sight = view::sight_of(camera);
+            CHECK(sight.low.x() < rounding);
+            CHECK(sight.low.y() < rounding);
+            CHECK(sight.high.x() > c.level.x() - rounding);
+            CHECK(sight.high.y() > c.level.y() - rounding);
+            // Centred, and as large as it can be: one of the sides fits exactly.
+            CHECK(geometry::length(camera.centre - c.level / 2) < rounding);
+            Vec2 const room = c.size / camera.scale - c.level;
+            CHECK(std::min(room.x(), room.y()) == doctest::Approx(0).epsilon(rounding));
+        }
+    }
+}
+
+TEST_CASE("in a larger level the camera follows, keeps the ball in sight and does not look beyond the level") {
+    level::Level const level = floor_level(300, 30);
+    Vec2 const size(1280, 720);
+    physics::State start;
+    start.position = Vec2(1, 2);
+    start.velocity = Vec2(40, 0);
+    physics::History const history = steady_history(start);
+    for (double time = 0; time < 7; time += 0.1) {
+        geometry::Box const sight = view::sight_of(view::camera_at(level, history, time, size));
+        double const ball = 1 + 40 * time;
+        CHECK(sight.low.x() > -rounding);
+        CHECK(sight.high.x() < 300 + rounding);
+        CHECK(ball > sight.low.x());
+        CHECK(ball < sight.high.x());
+    }
+}
+
+TEST_CASE("the camera moves softly: a jump of the ball's velocity is none of the camera's") {
+    level::Level const level = floor_level(300, 30);
+    physics::State start;
+    start.position = Vec2(100, 15);
+    physics::History history = steady_history(start);
+    physics::Leg after;
+    after.since = 1;
+    start.velocity = Vec2(10, 0);
+    after.motion = physics::Ballistic{start, Vec2::Zero(), 0};
+    history.legs[0][0].until = 1;
+    history.legs[0].push_back(after);
+    auto const centre = [&](double t) { return view::camera_at(level, history, t, Vec2(1280, 720)).centre.x(); };
+    double const step = 1e-3;
+    // In its first millisecond the ball moves by 10 mm; the mean of its path by less than a tenth of that.
+    CHECK(std::abs(centre(1 + step) - centre(1)) < 1e-3);
+    CHECK(centre(4) - centre(3) == doctest::Approx(10).epsilon(1e-6));
+}
+
+TEST_CASE("the wheel keeps the point under the pointer") {
+    level::Level const level = floor_level(16, 9);
+    physics::State start;
+    start.position = Vec2(8, 4.5);
+    physics::History const history = steady_history(start);
+    Vec2 const size(1280, 720), pointer(700, 400);
+    view::Lens lens;
+    view::Camera const before = view::camera_at(level, history, 0, size, lens);
+    Vec2 const point = view::world_of(before, pointer);
+    for (int i = 0; i < 5; ++i) lens = view::zoomed(lens, view::camera_at(level, history, 0, size, lens), pointer, 1);
+    view::Camera const after = view::camera_at(level, history, 0, size, lens);
+    CHECK(after.scale == doctest::Approx(before.scale * std::pow(1.15, 5)).epsilon(1e-12));
+    CHECK(geometry::length(view::world_of(after, pointer) - point) < rounding);
+    for (int i = 0; i < 5; ++i) lens = view::zoomed(lens, view::camera_at(level, history, 0, size, lens), pointer, -1);
+    CHECK(geometry::length(view::camera_at(level, history, 0, size, lens).centre - before.centre) < 1e-6);
+}

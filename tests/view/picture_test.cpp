@@ -1,0 +1,142 @@
+#include <doctest/doctest.h>
+
+#include "stages.h"
+#include "view/backdrop.h"
+#include "view/polygon.h"
+
+using view::Vec2;
+using namespace view_test;
+
+namespace {
+
+physics::State rolling_state() {
+    physics::State state;
+    state.position = Vec2(6, 1.5);
+    state.velocity = Vec2(2, 0);
+    state.angle = 0.7;
+    state.spin = -4;
+    return state;
+}
+
+view::Picture picture_at(level::Level const& level, double time, view::Moment const& more = {}) {
+    view::Stage const stage = view::stage_of(level);
+    physics::History const history = steady_history(rolling_state());
+    view::Moment moment = view::moment_at(level, history, time);
+    moment.forces = more.forces;
+    moment.status = more.status;
+    moment.noticed_at = more.noticed_at;
+    return view::picture_of(stage, moment, view::camera_at(level, history, time, Vec2(1280, 720)));
+}
+
+view::Shell shell_in(view::Picture const& picture) {
+    for (view::Shape const& shape : picture.shapes)
+        if (auto const* shell = std::get_if<view::Shell>(&shape)) return *shell;
+    FAIL("there is no ball in the picture");
+    return {};
+}
+
+// 16 m x 9 m on 1280 x 720: 80 pixels to the metre, the world's origin at the lower left corner.
+Vec2 pixel(double x, double y) { return {80 * x, 720 - 80 * y}; }
+
+}  // namespace
+
+TEST_CASE("the ball is drawn where it is and as it is turned") {
+    view::Picture const picture = picture_at(floor_level(16, 9), 0.25);
+    view::Shell const shell = shell_in(picture);
+    CHECK(geometry::length(shell.centre - pixel(6.5, 1.5)) < 1e-9);
+    CHECK(shell.radius == doctest::Approx(40));
+    CHECK(shell.angle == doctest::Approx(0.7 - 4 * 0.25).epsilon(1e-12));
+    CHECK(shell.livery == 0);
+    CHECK(picture.width == 1280);
+    CHECK(picture.height == 720);
+}
+
+TEST_CASE("a spring from the ball to the pointer is drawn while it is pulled, and only then") {
+    level::Level const level = floor_level(16, 9);
+    view::Moment pulled;
+    pulled.forces.pull = physics::Pull{0, Vec2(9, 4)};
+    view::Picture const with = picture_at(level, 0, pulled), without = picture_at(level, 0);
+    int const coil = count_of<view::Stroke>(with.shapes) - count_of<view::Stroke>(without.shapes);
+    CHECK(coil > 20);
+    bool at_ball = false, at_pointer = false;
+    for (view::Shape const& shape : with.shapes) {
+        auto const* stroke = std::get_if<view::Stroke>(&shape);
+        if (!stroke) continue;
+        at_ball = at_ball || geometry::length(stroke->from - pixel(6, 1.5)) < 1e-9;
+        at_pointer = at_pointer || geometry::length(stroke->to - pixel(9, 4)) < 1e-9;
+    }
+    CHECK(at_ball);
+    CHECK(at_pointer);
+}
+
+TEST_CASE("a spring without length is drawn without a number that is not finite") {
+    view::Moment pulled;
+    pulled.forces.pull = physics::Pull{0, rolling_state().position};
+    for (view::Shape const& shape : picture_at(floor_level(16, 9), 0, pulled).shapes)
+        if (auto const* stroke = std::get_if<view::Stroke>(&shape))
+            CHECK((geometry::is_finite(stroke->from) && geometry::is_finite(stroke->to)));
+}
+
+TEST_CASE("equal times give equal backdrops and keys, in a level shown whole all times do") {
+    level::Level const whole = floor_level(16, 9), large = floor_level(60, 9);
+    CHECK(picture_at(whole, 0).backdrop_key == picture_at(whole, 2).backdrop_key);
+    CHECK(picture_at(whole, 0).backdrop_key != 0);
+    CHECK(picture_at(large, 1).backdrop_key == picture_at(large, 1).backdrop_key);
+    CHECK(picture_at(large, 0.2).backdrop_key != picture_at(large, 4).backdrop_key);
+    level::Level other = whole;
+    other.hash = "fedcba9876543210";
+    CHECK(picture_at(other, 0).backdrop_key != picture_at(whole, 0).backdrop_key);
+}
+
+TEST_CASE("a banana is drawn until it has been picked up") {
+    level::Level level = floor_level(16, 9);
+    level.scene.sensors.push_back({physics::DiscRegion{Vec2(3, 3), 0.25}});
+    level.meanings.push_back(level::Meaning::banana);
+    view::Moment taken;
+    taken.noticed_at = {0.5};
+    CHECK(count_of<view::Area>(picture_at(level, 0.4, taken).shapes) >= 3);
+    CHECK(count_of<view::Area>(picture_at(level, 3, taken).shapes) == 0);
+}
+
+TEST_CASE("the ground's edge lies on the terrain, its earth on the side away from the ball") {
+    view::Ground const ground = view::ground_of(floor_level(16, 9));
+    REQUIRE(!ground.patches.empty());
+    for (view::Patch const& patch : ground.patches) CHECK(patch.box.high.y() == doctest::Approx(1).epsilon(1e-12));
+    CHECK(ground.patches.front().cover == view::Cover::earth);
+}
+
+TEST_CASE("a closed outline around the play is a wall, one without is solid") {
+    auto const square = [](double low, double high) {
+        level::Outline outline;
+        Vec2 const corners[] = {{low, low}, {high, low}, {high, high}, {low, high}};
+        for (int i = 0; i < 4; ++i) outline.curves.push_back(geometry::Segment{corners[i], corners[(i + 1) % 4]});
+        outline.closed = true;
+        return outline;
+    };
+    level::Level level = floor_level(16, 9);
+    level.outlines = {square(0.5, 8.5), square(4, 5)};
+    level.scene.balls[0].start.position = Vec2(2, 2);
+    auto const earth_at = [&](Vec2 const& point) {
+        int layers = 0;
+        for (view::Patch const& patch : view::ground_of(level).patches) {
+            if (patch.cover != view::Cover::earth) continue;
+            int around = 0;
+            for (auto const& ring : patch.rings) around += view::contains(ring, point) ? 1 : 0;
+            layers += around % 2;
+        }
+        return layers;
+    };
+    CHECK(earth_at(Vec2(2, 2)) == 0);
+    CHECK(earth_at(Vec2(4.5, 4.5)) == 1);
+    CHECK(earth_at(Vec2(0.4, 4)) == 1);
+    CHECK(earth_at(Vec2(0.6, 4)) == 0);
+}
+
+TEST_CASE("points along an outline lie within half a millimetre of its arcs") {
+    level::Outline outline{{geometry::Arc{Vec2(1, 2), 5, 0.3, 2.5}}, false};
+    std::vector<Vec2> const points = view::points_along(outline, 10);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        double const middle = geometry::length((points[i - 1] + points[i]) / 2 - Vec2(1, 2));
+        CHECK(5 - middle < 0.0005 + 1e-9);
+    }
+}
