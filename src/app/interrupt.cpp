@@ -1,5 +1,7 @@
 #include "app/interrupt.h"
 
+#include <pthread.h>
+
 #include <csignal>
 
 namespace app {
@@ -24,6 +26,14 @@ void watch_for_interrupts() {
 }
 
 bool is_interrupted() { return interrupted != 0; }
+
+void leave_interrupts_to_the_main_thread() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
 
 void stop_if_interrupted() {
     if (is_interrupted()) throw Interrupted();

@@ -12,6 +12,9 @@ void watch_for_interrupts();
 
 bool is_interrupted();
 
+// For other threads than the main one: their reads and writes are then not broken off by the signals.
+void leave_interrupts_to_the_main_thread();
+
 class Interrupted : public std::exception {
 public:
     explicit Interrupted(std::string what = "interrupted") : what_(std::move(what)) {}

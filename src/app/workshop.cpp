@@ -100,6 +100,7 @@ void Workshop::paint_orders() {
 }
 
 void Workshop::work() {
+    leave_interrupts_to_the_main_thread();
     try {
         paint_orders();
     } catch (...) {
