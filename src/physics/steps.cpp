@@ -13,7 +13,7 @@ namespace {
 constexpr int steps_to_sleep = 4;  // steps on end without motion after which a ball is left standing
 
 Stage stage_of(Scene const& scene, World& world) {
-    Stage stage{scene, {}, {}, {}, {}, {}, {}, {}, {}};
+    Stage stage(scene);
     int const count = static_cast<int>(scene.balls.size());
     world.still_steps.resize(scene.balls.size(), 0);
     stage.travellers.resize(scene.balls.size());
@@ -46,9 +46,21 @@ void move_all(Stage& stage, Substep const& substep) {
     remember_departures(stage);
     bool const any_lean = mark_leaning(stage);
     for (Traveller& traveller : stage.travellers)
-        if (!stage.asleep[traveller.index] && !stage.leaning[traveller.index]) travel(substep, traveller, 0);
+        if (!stage.asleep[traveller.index] && !stage.leaning[traveller.index] && !stage.alone[traveller.index])
+            travel(substep, traveller, 0);
     if (any_lean) move_pile(stage, substep);
     if (!stage.encounters.empty()) collide(stage, substep);
+}
+
+// Free balls and balls on one surface move by closed forms, which need no substeps.
+bool move_alone(Stage& stage, Substep const& step) {
+    bool all = true;
+    for (Traveller& traveller : stage.travellers) {
+        bool const alone = stage.alone[traveller.index] != 0;
+        all = all && (alone || stage.asleep[traveller.index]);
+        if (alone && !stage.asleep[traveller.index]) travel(step, traveller, 0);
+    }
+    return all;
 }
 
 void write_step(Stage& stage, World& world, double then, History& history) {
@@ -74,13 +86,14 @@ void write_step(Stage& stage, World& world, double then, History& history) {
 void advance_with(Steps const& method, Scene const& scene, World& world, double until, History& history) {
     std::size_t const first_event = history.events.size();
     Stage stage = stage_of(scene, world);
-    double const length = 1 / (method.rate * method.substeps);
+    double const step = 1 / method.rate, pace = step / method.substeps;
     while (world.time < until) {
         double const then = time_of_step(world, method.rate, world.steps_taken + 1);
         if (!put_to_sleep(stage, world)) {
-            find_encounters(stage, 1 / method.rate);
-            for (int i = 0; i < method.substeps; ++i)
-                move_all(stage, {scene.terrain, world.time + i * length, length, length, history.events});
+            find_encounters(stage, step);
+            if (!move_alone(stage, {scene.terrain, world.time, step, pace, history.events}))
+                for (int i = 0; i < method.substeps; ++i)
+                    move_all(stage, {scene.terrain, world.time + i * pace, pace, pace, history.events});
             write_step(stage, world, then, history);
         }
         ++world.steps_taken;

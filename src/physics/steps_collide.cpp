@@ -174,7 +174,7 @@ void part(Stage& stage) {
 
 void collide(Stage& stage, Substep const& substep) {
     for (int i = 0; i < most_passes; ++i) {
-        find_encounters(stage, substep.pace);
+        find_more_encounters(stage, 0);
         bool any = false;
         for (Encounter& e : stage.encounters) any = collides(stage, substep, e) || any;
         if (!any) break;

@@ -73,14 +73,19 @@ std::vector<Touch> touches_of(Stage const& stage) {
     return touches;
 }
 
-void find_encounters(Stage& stage, double step) {
+namespace {
+
+bool all_covered(Stage const& stage, double time) {
+    bool covered = stage.known.size() == stage.travellers.size();
+    for (std::size_t i = 0; covered && i < stage.travellers.size(); ++i)
+        covered = covers(stage.known[i], stage.travellers[i], time);
+    return covered;
+}
+
+void look_for_pairs(Stage& stage, double time) {
     auto const count = stage.travellers.size();
-    if (count < 2) return;
-    bool covered = stage.known.size() == count;
-    for (std::size_t i = 0; covered && i < count; ++i) covered = covers(stage.known[i], stage.travellers[i], step);
-    if (covered) return;
     stage.known.resize(count);
-    for (std::size_t i = 0; i < count; ++i) stage.known[i] = reach_of(stage.travellers[i], step);
+    for (std::size_t i = 0; i < count; ++i) stage.known[i] = reach_of(stage.travellers[i], time);
     sort_from_left(stage);
     std::vector<Encounter> pairs = overlapping_pairs(stage);
     auto old = stage.encounters.begin();
@@ -89,6 +94,24 @@ void find_encounters(Stage& stage, double step) {
         if (old != stage.encounters.end() && old->first == pair.first && old->second == pair.second) pair = *old;
     }
     stage.encounters = std::move(pairs);
+}
+
+}  // namespace
+
+void find_encounters(Stage& stage, double step) {
+    stage.alone.resize(stage.travellers.size(), 1);
+    if (stage.travellers.size() < 2 || (!stage.looked_anew && all_covered(stage, step))) return;
+    look_for_pairs(stage, step);
+    stage.looked_anew = false;
+    std::fill(stage.alone.begin(), stage.alone.end(), char{1});
+    for (Encounter const& e : stage.encounters) stage.alone[e.first] = stage.alone[e.second] = 0;
+}
+
+void find_more_encounters(Stage& stage, double rest) {
+    if (all_covered(stage, rest)) return;
+    look_for_pairs(stage, rest);
+    stage.looked_anew = true;
+    std::erase_if(stage.encounters, [&](Encounter const& e) { return stage.alone[e.first] || stage.alone[e.second]; });
 }
 
 void wake_neighbours(Stage& stage) {

@@ -9,8 +9,12 @@ namespace physics {
 void recall_touches(Stage& stage, std::vector<Touch> const& touches);
 std::vector<Touch> touches_of(Stage const& stage);
 
-// Pairs that may touch within `step` seconds; what is known of pairs found before is kept.
+// Pairs that may touch within the next step of `step` seconds, and who is alone; what is known of pairs is kept.
 void find_encounters(Stage& stage, double step);
+
+// The same in the middle of a step, when impacts have sent balls where nobody looked for them. Balls that are alone
+// have had their step already: they are met in the next.
+void find_more_encounters(Stage& stage, double rest);
 
 // A standing ball wakes when one that it touches does, or when one comes to it.
 void wake_neighbours(Stage& stage);

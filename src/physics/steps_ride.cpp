@@ -14,6 +14,7 @@ using geometry::wedge;
 namespace {
 
 constexpr double finest_turn = 0.1;   // rad, of the normal in one stretch
+constexpr double small_turn = 0.05;   // rad
 constexpr int most_stretches = 16;    // into which a tight bend splits a substep
 constexpr double weightless = 1e-12;  // share of the acceleration: less pressure is none
 constexpr double standing = 1e-12;    // m/s
@@ -44,6 +45,13 @@ Place place_of(Shape const& shape, Traveller const& traveller) {
     return place;
 }
 
+// For the small angles of one stretch the first terms of the series are exact to the last bit.
+geometry::SineCosine turn_by(double angle) {
+    if (std::abs(angle) > small_turn) return geometry::sine_cosine(angle);
+    double const x = angle * angle;
+    return {angle * (1 - x / 6 * (1 - x / 20 * (1 - x / 42))), 1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56)))};
+}
+
 // Moving `way` along t turns the normal by -curvature * way.
 Place place_after(Shape const& shape, Place const& place, double way) {
     Place next = place;
@@ -51,7 +59,7 @@ Place place_after(Shape const& shape, Place const& place, double way) {
         next.position += way * place.tangent;
         return next;
     }
-    auto const [sine, cosine] = geometry::sine_cosine(-place.curvature * way);
+    auto const [sine, cosine] = turn_by(-place.curvature * way);
     next.normal = geometry::turned(place.normal, cosine, sine);
     next.tangent = geometry::turned_right(next.normal);
     next.position = shape.origin + next.normal / place.curvature;
@@ -110,12 +118,12 @@ Overrun beyond_arc(Terrain const& terrain, Shape const& shape, Place const& plac
     Vec2 const outward = place.curvature < 0 ? Vec2(-place.normal) : place.normal;
     bool const counter_clockwise = -place.curvature * way > 0;
     Vec2 const end = counter_clockwise ? shape.last : shape.first;
+    if (dot(outward, shape.along) >= dot(end, shape.along)) return {};
     double const turn = geometry::arctangent(wedge(end, outward), dot(end, outward)) * (counter_clockwise ? 1 : -1);
-    bool const to_end = counter_clockwise == (shape.turn > 0);
     // Behind the end by less than a quarter turn, not far ahead of it on the other way round.
-    bool const past = turn > 0 && turn < geometry::pi / 2 &&
-                      dot(outward, shape.along) < std::max(shape.extent, dot(end, shape.along));
-    return {past ? turn / std::abs(place.curvature) : 0,
+    if (turn <= 0 || turn >= geometry::pi / 2) return {};
+    bool const to_end = counter_clockwise == (shape.turn > 0);
+    return {turn / std::abs(place.curvature),
             to_end ? terrain.end_vertex[shape.feature] : terrain.start_vertex[shape.feature], nullptr};
 }
 
@@ -178,8 +186,10 @@ Shape const* shape_under(Substep const& substep, Traveller& traveller) {
     return nullptr;
 }
 
+// A constant push along a line has a closed form for any time; bends and springs are followed substep by substep.
 double stretch_of(Substep const& substep, Traveller const& traveller, Place const& place, double speed, double left) {
-    double const part = part_of(substep, traveller, left);
+    if (place.curvature == 0 && !traveller.field.pulled) return left;
+    double const part = part_of(substep, traveller, std::min(left, substep.pace));
     double const turn_rate = std::abs(place.curvature * speed);
     if (part * turn_rate <= finest_turn) return part;
     return std::min(part, std::max(finest_turn / turn_rate, substep.pace / most_stretches));
@@ -259,8 +269,9 @@ double ride(Substep const& substep, Traveller& traveller, double left) {
     if (stretch.met.shape != nullptr) {
         Shape const other = *stretch.met.shape;
         if (runs_into(substep, traveller, other, now + stretch.time)) {
-            wedge_between(substep, traveller, shape, other, left - stretch.time);
-            return left;
+            double const wedged = std::min(left - stretch.time, substep.pace);
+            wedge_between(substep, traveller, shape, other, wedged);
+            return stretch.time + wedged;
         }
     } else if (stretch.overrun.way > 0) {
         pass_over_end(substep, traveller, stretch.overrun, stretch.end.normal, now + stretch.time);

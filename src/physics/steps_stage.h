@@ -23,6 +23,8 @@ struct Departure {
 };
 
 struct Stage {
+    explicit Stage(Scene const& of) : scene(of) {}
+
     Scene const& scene;
     std::vector<Traveller> travellers;
     std::vector<Encounter> encounters;
@@ -31,7 +33,9 @@ struct Stage {
     std::vector<geometry::Box> known;  // by ball: while it keeps within, the encounters are all it can have
     std::vector<Touch> ground;         // contacts of leaning balls with terrain, with the impulses of the last substep
     std::vector<char> leaning;         // by ball: it leans on another
-    std::vector<char> asleep;          // by ball: it has stood still so long that it is left standing
+    std::vector<char> alone;           // by ball: nobody is near, so it needs no substeps
+    bool looked_anew = false;  // encounters were found in the middle of a step, without the balls that are alone
+    std::vector<char> asleep;  // by ball: it has stood still so long that it is left standing
 };
 
 }  // namespace physics

@@ -12,7 +12,7 @@ using geometry::length;
 
 namespace {
 
-constexpr int most_turns = 64;      // impacts and changes of surface in one substep; then the rest of it is lost
+constexpr int most_turns = 256;     // impacts, stretches and changes of surface in one go; then the rest of it is lost
 constexpr double grazing = 1e-9;    // share of the speed: slower closing on a surface just left is rounding
 constexpr double gentle = 1e-9;     // m/s, touches below this are no events
 constexpr double paths_ahead = 24;  // how many substeps' way ahead the surroundings are looked up
@@ -66,7 +66,7 @@ void glide_over_joint(Substep const& substep, Traveller& traveller, Shape const&
 double part_of(Substep const& substep, Traveller const& traveller, double left) {
     if (!traveller.field.pulled) return left;
     double const part = swing_part / std::sqrt(traveller.field.spring.stiffness);
-    return std::min(left, std::max(part, substep.pace / most_swings));
+    return std::min({left, substep.pace, std::max(part, substep.pace / most_swings)});
 }
 
 double closing_speed(Terrain const& terrain, Shape const& shape, Traveller const& traveller) {
