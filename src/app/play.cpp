@@ -1,5 +1,6 @@
 #include "app/play.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <stdexcept>
@@ -35,10 +36,12 @@ double seconds_now() {
 // The hand that shows over a ball; SDL's cursors must be freed before its window.
 class Cursors {
 public:
-    void show_hand(bool over_ball) {
-        if (!hand_ || over_ball == shown_) return;
-        SDL_SetCursor(over_ball ? hand_.get() : SDL_GetDefaultCursor());
-        shown_ = over_ball;
+    enum class Shape { arrow, hand };
+
+    void show(Shape shape) {
+        if (!hand_ || shape == shown_) return;
+        SDL_SetCursor(shape == Shape::hand ? hand_.get() : SDL_GetDefaultCursor());
+        shown_ = shape;
     }
 
 private:
@@ -46,13 +49,14 @@ private:
         void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
     };
     std::unique_ptr<SDL_Cursor, Free> hand_{SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_HAND)};
-    bool shown_ = false;
+    Shape shown_ = Shape::arrow;
 };
 
 void show_cursor(Cursors& cursors, PlayGame const& game, screen::Window const& window) {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
-    cursors.show_hand(game.held || is_over_ball(game, Vec2(x, y) * window.pixel_ratio()));
+    bool const grips = game.held || is_over_ball(game, Vec2(x, y) * window.pixel_ratio());
+    cursors.show(grips ? Cursors::Shape::hand : Cursors::Shape::arrow);
 }
 
 void fit(PlayGame& game, screen::Window const& window) {

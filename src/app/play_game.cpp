@@ -48,6 +48,8 @@ std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel) {
 void take_over(PlayGame& game) {
     if (!game.replay_end) return;
     game.replay_end.reset();
+    // A pull of the run's would hold for ever: nobody is left to let go.
+    game::act(game.session, game::Release{});
     say(game, "You play on from here");
 }
 
