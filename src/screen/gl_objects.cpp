@@ -48,9 +48,10 @@ void Texture::upload(int left, int top, int width, int height, std::uint8_t cons
     gl_.TexSubImage2D(GL_TEXTURE_2D, 0, left, top, width, height, GL_RED, GL_UNSIGNED_BYTE, bytes);
 }
 
-void Texture::make_smaller_copies() const {
+void Texture::add_level(int level, int width, int height, std::uint8_t const* bytes) const {
     gl_.BindTexture(GL_TEXTURE_2D, name_);
-    gl_.GenerateMipmap(GL_TEXTURE_2D);
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_.TexImage2D(GL_TEXTURE_2D, level, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, bytes);
 }
 
 void Texture::filter(GLint smaller, GLint larger) const {

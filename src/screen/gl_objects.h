@@ -24,7 +24,8 @@ public:
     void bind(int unit) const;
     // One byte a texel into a box of the texture.
     void upload(int left, int top, int width, int height, std::uint8_t const* bytes) const;
-    void make_smaller_copies() const;
+    // A copy at half the size of the level before; all down to one texel are needed.
+    void add_level(int level, int width, int height, std::uint8_t const* bytes) const;
     // What lies between texels: a blend, or the nearest one, which costs less.
     void blend_texels() const;
     void take_nearest_texels() const;

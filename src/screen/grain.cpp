@@ -89,4 +89,16 @@ std::vector<std::uint8_t> grain_tile() {
     return bytes;
 }
 
+std::vector<std::uint8_t> halved(std::vector<std::uint8_t> const& square, int side) {
+    auto const stride = static_cast<std::size_t>(side), half = stride / 2;
+    std::vector<std::uint8_t> smaller(half * half);
+    for (std::size_t y = 0; y < half; ++y)
+        for (std::size_t x = 0; x < half; ++x) {
+            std::uint8_t const* const corner = &square[2 * y * stride + 2 * x];
+            smaller[y * half + x] =
+                static_cast<std::uint8_t>((corner[0] + corner[1] + corner[stride] + corner[stride + 1] + 2) / 4);
+        }
+    return smaller;
+}
+
 }  // namespace screen

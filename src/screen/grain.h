@@ -12,4 +12,7 @@ constexpr double grain_metres = 6.4;  // that one side of the tile covers
 // Brightness, 128 = leave the colour as it is; grain_side rows, tiles without a seam. The same every time.
 std::vector<std::uint8_t> grain_tile();
 
+// A square of the given side at half its size, each texel the mean of four.
+std::vector<std::uint8_t> halved(std::vector<std::uint8_t> const& square, int side);
+
 }  // namespace screen

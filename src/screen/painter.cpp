@@ -23,8 +23,6 @@ constexpr int edge_atlas_side = edge_tiles_across * tile_side;  // texels
 std::string fragment_source(Program program) {
     std::string const head = shaders::fragment_head, area = head + shaders::area;
     switch (program) {
-        case Program::sky:
-            return head + shaders::sky;
         case Program::disc:
             return head + shaders::disc;
         case Program::box:
@@ -66,8 +64,12 @@ Quad area_quad(view::Paint const& paint) {
 
 std::unique_ptr<Texture> grain_texture(GladGLContext const& gl) {
     auto grain = std::make_unique<Texture>(gl, GL_R8, grain_side, grain_side, Sampling::tiled);
-    grain->upload(0, 0, grain_side, grain_side, grain_tile().data());
-    grain->make_smaller_copies();
+    std::vector<std::uint8_t> texels = grain_tile();
+    // The renderer's own way to halve textures costs several times the first picture.
+    for (int level = 0, side = grain_side; side >= 1; ++level, side /= 2) {
+        grain->add_level(level, side, side, texels.data());
+        texels = halved(texels, side);
+    }
     return grain;
 }
 

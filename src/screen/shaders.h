@@ -31,14 +31,6 @@ out vec4 pixel;
 vec4 multiplied(vec4 c) { return vec4(c.rgb * c.a, c.a); }
 )";
 
-// form: upper y, lower y.
-inline constexpr char const* sky = R"(
-void main() {
-    float t = clamp((gl_FragCoord.y - form.x) / (form.y - form.x), 0.0, 1.0);
-    pixel = multiplied(mix(colour, second_colour, t));
-}
-)";
-
 // place: centre, radius, softness; form: rim width.
 inline constexpr char const* disc = R"(
 void main() {
@@ -73,8 +65,8 @@ void main() {
 }
 )";
 
-// All areas, with what `paint` and `inside` stand for below. place: pixel of the world's origin, tiles of grain a
-// pixel, level of detail; form: upper y, lower y, strength of the grain, number of the edge tile in its atlas.
+// All areas and the sky, with what `paint` and `inside` stand for below. place: pixel of the world's origin, tiles of
+// grain a pixel, level of detail; form: upper y, lower y, strength of the grain, number of the edge tile in its atlas.
 inline constexpr char const* area = R"(
 uniform sampler2D coverage, grain;
 vec4 smooth_paint() {

@@ -102,7 +102,8 @@ void add_shape(Batch& batch, view::Sky const& sky, int width, int height) {
     quad.second_colour = floats(sky.bottom);
     quad.corners = upright(0, 0, width, height);
     quad.form = {0, narrow(height), 0, 0};
-    batch.add(Program::sky, quad, sky.top.alpha >= 1 && sky.bottom.alpha >= 1 ? Blending::opaque : Blending::over);
+    batch.add(Program::smooth_area, quad,
+              sky.top.alpha >= 1 && sky.bottom.alpha >= 1 ? Blending::opaque : Blending::over);
 }
 
 void add_shape(Batch& batch, view::Disc const& disc) {

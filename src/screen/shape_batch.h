@@ -8,8 +8,8 @@
 
 namespace screen {
 
-enum class Program { sky, disc, box, arc, smooth_area, smooth_edge, grained_area, grained_edge, glyph, shell };
-constexpr int program_count = 10;
+enum class Program { disc, box, arc, smooth_area, smooth_edge, grained_area, grained_edge, glyph, shell };
+constexpr int program_count = 9;
 
 // Whether what lies below shows through; where it does not, painting costs less.
 enum class Blending { over, opaque };
