@@ -13,11 +13,13 @@ using geometry::wedge;
 
 namespace {
 
-constexpr double finest_turn = 0.1;   // rad, of the normal in one stretch
-constexpr double small_turn = 0.05;   // rad
-constexpr int most_stretches = 16;    // into which a tight bend splits a substep
-constexpr double weightless = 1e-12;  // share of the acceleration: less pressure is none
-constexpr double standing = 1e-12;    // m/s
+constexpr double finest_turn = 0.02;   // rad, of the normal in one stretch
+constexpr double finest_swing = 0.02;  // rad, of a pendulum's phase in one stretch: its period is right to 2e-5
+constexpr double coming_off = 0.5;     // share of the pressure: below, the stretch may outlast the contact
+constexpr double small_turn = 0.05;    // rad
+constexpr int most_stretches = 16;     // into which a tight bend splits a substep
+constexpr double weightless = 1e-12;   // share of the acceleration: less pressure is none
+constexpr double standing = 1e-12;     // m/s
 
 // The ball's place on its surface: unit normal from terrain to ball, tangent t = (n.y, -n.x), and how the surface
 // bends.
@@ -25,7 +27,8 @@ struct Place {
     Vec2 normal = Vec2::Zero();
     Vec2 tangent = Vec2::Zero();
     Vec2 position = Vec2::Zero();
-    double curvature = 0;  // 1/m, of the centre's path
+    double curvature = 0;  // 1/m, of the centre's path, positive where the surface bulges
+    double rho = 0;        // m, its reciprocal
 };
 
 Place place_of(Shape const& shape, Traveller const& traveller) {
@@ -39,7 +42,8 @@ Place place_of(Shape const& shape, Traveller const& traveller) {
     } else {
         double const sign = place.curvature < 0 ? -1 : 1;
         place.normal = d * (sign / geometry::length(d));
-        place.position = shape.origin + place.normal / place.curvature;
+        place.rho = 1 / place.curvature;
+        place.position = shape.origin + place.rho * place.normal;
     }
     place.tangent = geometry::turned_right(place.normal);
     return place;
@@ -49,7 +53,8 @@ Place place_of(Shape const& shape, Traveller const& traveller) {
 geometry::SineCosine turn_by(double angle) {
     if (std::abs(angle) > small_turn) return geometry::sine_cosine(angle);
     double const x = angle * angle;
-    return {angle * (1 - x / 6 * (1 - x / 20 * (1 - x / 42))), 1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56)))};
+    double const sine = angle * (1 - x * (1.0 / 6) * (1 - x * (1.0 / 20) * (1 - x * (1.0 / 42))));
+    return {sine, 1 - x * 0.5 * (1 - x * (1.0 / 12) * (1 - x * (1.0 / 30) * (1 - x * (1.0 / 56))))};
 }
 
 // Moving `way` along t turns the normal by -curvature * way.
@@ -62,7 +67,7 @@ Place place_after(Shape const& shape, Place const& place, double way) {
     auto const [sine, cosine] = turn_by(-place.curvature * way);
     next.normal = geometry::turned(place.normal, cosine, sine);
     next.tangent = geometry::turned_right(next.normal);
-    next.position = shape.origin + next.normal / place.curvature;
+    next.position = shape.origin + place.rho * next.normal;
     return next;
 }
 
@@ -123,7 +128,7 @@ Overrun beyond_arc(Terrain const& terrain, Shape const& shape, Place const& plac
     // Behind the end by less than a quarter turn, not far ahead of it on the other way round.
     if (turn <= 0 || turn >= geometry::pi / 2) return {};
     bool const to_end = counter_clockwise == (shape.turn > 0);
-    return {turn / std::abs(place.curvature),
+    return {turn * std::abs(place.rho),
             to_end ? terrain.end_vertex[shape.feature] : terrain.start_vertex[shape.feature], nullptr};
 }
 
@@ -133,7 +138,7 @@ Overrun beyond_vertex(Terrain const& terrain, Shape const& shape, Place const& p
         double const rise = dot(place.normal, spoke.direction);
         if (rise <= 0 || dot(place.tangent, spoke.direction) * way <= 0) continue;
         double const turn = geometry::arctangent(rise, std::abs(wedge(place.normal, spoke.direction)));
-        double const over = turn / std::abs(place.curvature);
+        double const over = turn * std::abs(place.rho);
         if (over > overrun.way) overrun = {over, -1, &spoke};
     }
     return overrun;
@@ -186,13 +191,18 @@ Shape const* shape_under(Substep const& substep, Traveller& traveller) {
     return nullptr;
 }
 
-// A constant push along a line has a closed form for any time; bends and springs are followed substep by substep.
+// A constant push along a line has a closed form for any time. On a bend a stretch is as long as its second order is
+// good for: a small turn, and a small part of a swing to and fro. A spring is followed substep by substep.
 double stretch_of(Substep const& substep, Traveller const& traveller, Place const& place, double speed, double left) {
-    if (place.curvature == 0 && !traveller.field.pulled) return left;
-    double const part = part_of(substep, traveller, std::min(left, substep.pace));
-    double const turn_rate = std::abs(place.curvature * speed);
-    if (part * turn_rate <= finest_turn) return part;
-    return std::min(part, std::max(finest_turn / turn_rate, substep.pace / most_stretches));
+    bool const pulled = traveller.field.pulled;
+    if (place.curvature == 0 && !pulled) return left;
+    double const bend = std::abs(place.curvature);
+    double const turn_rate = bend * std::abs(speed);
+    double const swing_rate = std::sqrt(bend * geometry::length(traveller.field.gravity));
+    double part = left;
+    if (part * turn_rate > finest_turn) part = std::max(finest_turn / turn_rate, substep.pace / most_stretches);
+    if (part * swing_rate > finest_swing) part = std::max(finest_swing / swing_rate, substep.pace / most_stretches);
+    return pulled ? part_of(substep, traveller, part) : part;
 }
 
 // One stretch on a surface: as far as it goes, and what ends it.
@@ -250,7 +260,7 @@ double ride(Substep const& substep, Traveller& traveller, double left) {
     Along start;
     start.speed = dot(traveller.state.velocity, place.tangent);
     start.rim = -traveller.ball->radius * traveller.state.spin;
-    double const time = stretch_of(substep, traveller, place, start.speed, left);
+    double time = stretch_of(substep, traveller, place, start.speed, left);
     double const pressure = pressure_at(place, pull_at(place, traveller.field, start.speed), start.speed);
     if (pressure == 0) {
         traveller.let_go = true;
@@ -258,6 +268,10 @@ double ride(Substep const& substep, Traveller& traveller, double left) {
         return 0;
     }
     Drive drive = drive_over(shape, place, traveller, start.speed, time);
+    if (time > substep.pace && drive.pressure < coming_off * pressure) {
+        time = substep.pace;
+        drive = drive_over(shape, place, traveller, start.speed, time);
+    }
     // The last stretch before it comes off.
     if (drive.pressure == 0) drive.pressure = 0.5 * pressure;
     traveller.state.position = place.position;

@@ -24,7 +24,7 @@ Row const table[] = {
     {Law::energy_in_valley, physics::Steps{}, 1e-6},
     {Law::lift_off, physics::Steps{}, 0.1},
     {Law::loop, physics::Steps{}, 2e-3},
-    {Law::bend, physics::Steps{}, 1e-6},
+    {Law::bend, physics::Steps{}, 1e-5},
     {Law::hill, physics::Steps{}, 1e-9},
     {Law::flat_joints, physics::Steps{}, 1e-9},
     {Law::corner, physics::Steps{}, 1e-9},
