@@ -64,18 +64,18 @@ install_what_is_missing_to() {
 
 # Configures and builds a preset from the top of the checkout; all it says goes to stderr, and nothing when all is built.
 build_preset() {
-    local preset=$1 folder=build/$1 quiet=--quiet log
-    if [ ! -e "$folder/built" ]; then
-        say "building $preset in $folder"
-        quiet=
-        mkdir -p "$folder"
-        log=$folder/configure.log
-        cmake --preset "$preset" >"$log" 2>&1 || {
-            cat "$log" >&2
-            give_up "could not configure $preset"
-        }
+    local preset=$1 folder=build/$1 log
+    if [ -e "$folder/built" ]; then
+        ninja -C "$folder" --quiet | sed '/no work to do/d' >&2 || give_up "could not build $preset"
+        return 0
     fi
-    # shellcheck disable=SC2086  # empty or one option
-    ninja -C "$folder" $quiet >&2 || give_up "could not build $preset"
+    say "building $preset in $folder"
+    mkdir -p "$folder"
+    log=$folder/configure.log
+    cmake --preset "$preset" >"$log" 2>&1 || {
+        cat "$log" >&2
+        give_up "could not configure $preset"
+    }
+    ninja -C "$folder" >&2 || give_up "could not build $preset"
     touch "$folder/built"
 }
