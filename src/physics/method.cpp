@@ -4,6 +4,7 @@
 
 #include "physics/article.h"
 #include "physics/sense.h"
+#include "physics/stepping.h"
 #include "physics/steps.h"
 
 namespace physics {
@@ -20,7 +21,10 @@ World world_at_start(Method const&, Scene const& scene, History& history) {
     World world;
     history = {};
     for (Ball const& ball : scene.balls) {
+        Standing const standing = standing_at_start(scene, ball);
         Leg leg;
+        leg.phase = standing.phase;
+        leg.contact = standing.contact;
         leg.motion = Straight{ball.start, ball.start.velocity, ball.start.spin};
         world.legs.push_back(leg);
         history.legs.push_back({leg});

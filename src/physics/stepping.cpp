@@ -1,9 +1,16 @@
 #include "physics/stepping.h"
 
+#include <cmath>
+
 #include "geometry/elementary.h"
+#include "physics/steps_along.h"
 #include "physics/steps_shape.h"
 
 namespace physics {
+
+namespace {
+constexpr double touching_at_start = 1e-9;  // m
+}  // namespace
 
 Field field_on(Scene const& scene, Forces const& forces, int ball) {
     Field field;
@@ -25,6 +32,28 @@ Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity,
     geometry::Swing const x = swing_after(field.spring, basis, {d.x(), velocity.x()});
     geometry::Swing const y = swing_after(field.spring, basis, {d.y(), velocity.y()});
     return {equilibrium + Vec2(x.displacement, y.displacement), Vec2(x.rate, y.rate)};
+}
+
+Standing standing_at_start(Scene const& scene, Ball const& ball) {
+    State const& state = ball.start;
+    Standing standing{state, Phase::flight, {}};
+    Surroundings near;
+    look_around(scene.terrain, state.position, ball.radius, touching_at_start, near);
+    double hardest = 0;
+    for (Shape const& shape : near.shapes) {
+        Sight const sight = sight_of(scene.terrain, shape, state.position);
+        double const leaving = geometry::dot(state.velocity, sight.normal);
+        bool const touches = std::abs(sight.distance - ball.radius) <= touching_at_start;
+        if (!sight.faces || !touches || std::abs(leaving) > no_slip * geometry::length(state.velocity)) continue;
+        double const along = geometry::wedge(state.velocity, sight.normal);
+        double const bend = curvature_at(shape, sight.side, ball.radius);
+        double const pressure = scene.gravity * sight.normal.y() - bend * along * along;
+        if (pressure <= hardest) continue;
+        hardest = pressure;
+        standing.contact = {shape.feature, sight.side};
+        standing.phase = slips({0, along, -ball.radius * state.spin, 0}) ? Phase::slide : Phase::roll;
+    }
+    return standing;
 }
 
 void open_leg(World& world, History& history, int ball, double now) {

@@ -10,9 +10,10 @@ using geometry::length;
 
 namespace {
 
-constexpr int most_passes = 32;    // over all pairs in one substep
-constexpr double unmoving = 1e-9;  // share of the speeds: slower closing is rounding
-constexpr double parted = 5e-3;    // share of the smaller radius: a gap at which balls no longer lean on each other
+constexpr int most_passes = 32;     // over all pairs in one substep
+constexpr double unmoving = 1e-9;   // share of the speeds: slower closing is rounding
+constexpr double soft_closing = 8;  // substeps' worth of gravity: leaning balls that close faster hit each other
+constexpr double parted = 5e-3;     // share of the smaller radius: a gap at which balls no longer lean on each other
 
 // The way of one ball since its last departure, as a chord.
 Vec2 on_the_way(Stage const& stage, int ball, double time, double length_of_substep) {
@@ -23,15 +24,16 @@ Vec2 on_the_way(Stage const& stage, int ball, double time, double length_of_subs
     return from.state.position + ((time - from.time) / span) * (to - from.state.position);
 }
 
-// When the two first touch on their chords, or `never`. Balls that overlap from the start touch then if they close.
-double touching_time(Stage const& stage, Encounter const& e, double end) {
+// When the two first touch on their chords, or `never`. Balls that overlap from the start touch then if they close,
+// faster than `least`.
+double touching_time(Stage const& stage, Encounter const& e, double end, double least) {
     double const start = std::max(stage.departures[e.first].time, stage.departures[e.second].time);
     Vec2 const d0 = on_the_way(stage, e.second, start, end) - on_the_way(stage, e.first, start, end);
     Vec2 const d1 = stage.travellers[e.second].state.position - stage.travellers[e.first].state.position;
     double const reach = stage.travellers[e.first].ball->radius + stage.travellers[e.second].ball->radius;
     Vec2 const way = d1 - d0;
     double const a = dot(way, way), b = dot(d0, way);
-    if (b >= 0) return never;
+    if (b >= 0 || -b <= least * (end - start) * length(d0)) return never;
     double const c = dot(d0, d0) - reach * reach;
     if (c <= 0) return start;
     double const square = b * b - a * c;
@@ -133,28 +135,39 @@ void hit(Stage& stage, Substep const& substep, Encounter& e, double time) {
         substep.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
 }
 
+// Whether the two are too far apart, for what they move in a substep, to look any closer.
+bool far_apart(Stage const& stage, Encounter const& e, double pace) {
+    Traveller const& a = stage.travellers[e.first];
+    Traveller const& b = stage.travellers[e.second];
+    double const moved = pace * (length(a.state.velocity) + length(b.state.velocity));
+    double const reach = a.ball->radius + b.ball->radius + 4 * moved;
+    Vec2 const d = b.state.position - a.state.position;
+    double const fell = pace * pace * (length(a.field.gravity) + length(b.field.gravity));
+    return !a.field.pulled && !b.field.pulled && dot(d, d) > (reach + fell) * (reach + fell);
+}
+
+// Leaning balls take slow closing on each other softly; others meet at once if they close at all.
+double least_closing(Stage const& stage, Encounter const& e, double pace) {
+    Traveller const& a = stage.travellers[e.first];
+    Traveller const& b = stage.travellers[e.second];
+    double const rounding = unmoving * (length(a.state.velocity) + length(b.state.velocity));
+    return e.leaning ? rounding + soft_closing * length(a.field.gravity) * pace : rounding;
+}
+
 bool collides(Stage& stage, Substep const& substep, Encounter& e) {
     if (stage.asleep[e.first] && stage.asleep[e.second]) return false;
-    double const time = touching_time(stage, e, substep.length);
+    if (far_apart(stage, e, substep.pace)) return false;
+    double const least = least_closing(stage, e, substep.pace);
+    if (e.leaning && closing_of(stage, e) <= least) return false;
+    double const time = touching_time(stage, e, substep.length, least);
     if (time > substep.length) return false;
-    double const speeds =
-        length(stage.travellers[e.first].state.velocity) + length(stage.travellers[e.second].state.velocity);
-    if (e.leaning) {
-        Vec2 const pull = stage.travellers[e.first].field.gravity;
-        if (closing_of(stage, e) <= 8 * length(pull) * substep.pace + unmoving * speeds) return false;
-    }
-    Traveller const first = stage.travellers[e.first], second = stage.travellers[e.second];
     go_back(stage, substep, e.first, time);
     go_back(stage, substep, e.second, time);
-    if (closing_of(stage, e) <= unmoving * speeds) {
-        stage.travellers[e.first] = first;
-        stage.travellers[e.second] = second;
-        return false;
-    }
-    hit(stage, substep, e, time);
+    bool const closes = closing_of(stage, e) > least;
+    if (closes) hit(stage, substep, e, time);
     go_on(stage, substep, e.first, time);
     go_on(stage, substep, e.second, time);
-    return true;
+    return closes;
 }
 
 void part(Stage& stage) {
