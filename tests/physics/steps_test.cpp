@@ -1,0 +1,142 @@
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "geometry/elementary.h"
+#include "physics/article.h"
+#include "physics/method.h"
+#include "physics/steps_along.h"
+#include "physics/steps_shape.h"
+
+using namespace physics;
+using geometry::Arc;
+using geometry::pi;
+using geometry::Segment;
+
+namespace {
+
+Scene floor_with(Vec2 const& position, Vec2 const& velocity) {
+    Scene scene;
+    scene.terrain = terrain_of({{Segment{{-100, 0}, {100, 0}}, {}, 0}});
+    Ball ball;
+    ball.start.position = position;
+    ball.start.velocity = velocity;
+    scene.balls = {ball};
+    return scene;
+}
+
+std::vector<Method> const methods = {Article{}, Steps{}};
+
+}  // namespace
+
+TEST_CASE(
+    "steps are counted from their origin, and a call ends at the first that starts at or after the time asked for") {
+    Scene const scene = floor_with({0, 0.5}, {1, 0});
+    for (Method const& method : methods) {
+        History history;
+        World world = world_at_start(method, scene, history);
+        advance(method, scene, world, 0.1001, history);
+        CHECK(world.steps_taken == 25);
+        CHECK(world.time == 25 / 240.0);
+    }
+}
+
+TEST_CASE("how often one asks does not change the motion") {
+    Scene const scene = floor_with({0, 3}, {1.7, 0});
+    for (Method const& method : methods) {
+        History once_history, often_history;
+        World once = world_at_start(method, scene, once_history), often = world_at_start(method, scene, often_history);
+        advance(method, scene, once, 2, once_history);
+        for (int i = 1; i <= 480; ++i) advance(method, scene, often, i / 240.0, often_history);
+        CHECK(at(once.legs[0], 2).position == at(often.legs[0], 2).position);
+        CHECK(at(once.legs[0], 2).spin == at(often.legs[0], 2).spin);
+        CHECK(once_history.events.size() == often_history.events.size());
+    }
+}
+
+TEST_CASE("legs follow on each other without a gap, and the last is the world's own") {
+    Scene const scene = floor_with({0, 1}, {2, 0});
+    for (Method const& method : methods) {
+        History history;
+        World world = world_at_start(method, scene, history);
+        advance(method, scene, world, 1, history);
+        auto const& legs = history.legs[0];
+        for (std::size_t i = 1; i < legs.size(); ++i) {
+            REQUIRE(legs[i - 1].until == legs[i].since);
+            Vec2 const gap = at(legs[i - 1], legs[i].since).position - at(legs[i], legs[i].since).position;
+            REQUIRE(geometry::length(gap) <= 1e-14);
+        }
+        CHECK(legs.back().since == world.legs[0].since);
+        CHECK(at(legs.back(), world.time).position == at(world.legs[0], world.time).position);
+    }
+}
+
+TEST_CASE("a ball that touches at the start is on its surface from the first leg on, without a landing") {
+    History history;
+    World const world = world_at_start(Steps{}, floor_with({0, 0.5 + 5e-10}, {0, 0}), history);
+    CHECK(world.legs[0].phase != Phase::flight);
+    CHECK(world.legs[0].contact == Contact{0, 1});
+    CHECK(history.events.empty());
+}
+
+TEST_CASE("a dropped ball without restitution lands once, then rests") {
+    Scene const scene = floor_with({0, 1.5}, {0, 0});
+    History history;
+    World world = world_at_start(Steps{}, scene, history);
+    advance(Steps{}, scene, world, 1, history);
+    REQUIRE(history.events.size() == 2);
+    CHECK(history.events[0].kind == EventKind::land);
+    CHECK(history.events[0].time == doctest::Approx(std::sqrt(2 / 9.81)).epsilon(1e-12));
+    CHECK(history.events[1].kind == EventKind::rest);
+}
+
+TEST_CASE("a ball left standing moves again when it is pulled") {
+    Scene const scene = floor_with({0, 0.5}, {0, 0});
+    History history;
+    World world = world_at_start(Steps{}, scene, history);
+    advance(Steps{}, scene, world, 2, history);
+    Forces forces;
+    forces.pull = Pull{0, {1, 0.5}};
+    apply(Steps{}, scene, world, forces, history);
+    advance(Steps{}, scene, world, 4, history);
+    CHECK(at(world.legs[0], world.time).position.x() == doctest::Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("the article's rule: what is kept is tangent, and the spin is -(v ^ n) / r whatever it was") {
+    Scene scene = floor_with({0, 0.5}, {3, -2});
+    scene.gravity = 0;
+    State state = scene.balls[0].start;
+    state.spin = 17;
+    ArticleStep const step = article_step(scene, {}, 0, state, 1e-3);
+    CHECK(step.state.velocity.x() == doctest::Approx(3).epsilon(1e-14));
+    CHECK(std::abs(step.state.velocity.y()) <= 1e-14);
+    CHECK(step.state.spin == doctest::Approx(-3 / 0.5));
+    CHECK(step.state.angle == doctest::Approx(-3 * 1e-3 / 0.5));
+}
+
+TEST_CASE("a path closes upon a line, an arc from both sides and a vertex when the formulas say so") {
+    Terrain const terrain = terrain_of({{Segment{{0, 0}, {4, 0}}, {}, 0}, {Arc{{10, 0}, 2, 0, 2 * pi}, {}, 1}});
+    Shape const line = shape_of(terrain, 0), ring = shape_of(terrain, 1), end = shape_of(terrain, 2);
+    auto const closing = [&](Shape const& shape, Vec2 const& from, Vec2 const& velocity) {
+        return closing_time(terrain, shape, {from, velocity, Vec2::Zero(), 10}, 0.5);
+    };
+    CHECK(closing(line, {1, 3}, {0, -1}) == doctest::Approx(2.5));
+    CHECK(closing(line, {1, -3}, {0, 1}) == doctest::Approx(2.5));
+    CHECK(closing(line, {-1, 3}, {0, -1}) == never);
+    CHECK(closing(ring, {5, 0}, {1, 0}) == doctest::Approx(2.5));
+    CHECK(closing(ring, {10, 0}, {1, 0}) == doctest::Approx(1.5));
+    CHECK(closing(end, {-3, 0}, {1, 0}) == doctest::Approx(2.5));
+    CHECK(closing(line, {1, 0.5}, {0, 1}) == never);
+    CHECK(closing(line, {1, 0.5}, {0, -1}) == 0);
+}
+
+TEST_CASE("sliding turns into rolling within one motion, exactly") {
+    Drive drive;
+    drive.pressure = 10;
+    drive.material.friction = 0.2;
+    Along const along = after_moving(drive, {0, 3, 0, 0}, 4);
+    // Slip ends after v0 k / ((1 + k) mu N) = 0.5 s with 2 m/s.
+    CHECK(along.speed == doctest::Approx(2).epsilon(1e-12));
+    CHECK(along.rim == doctest::Approx(2).epsilon(1e-12));
+    CHECK(along.way == doctest::Approx(1.25 + 2 * 3.5).epsilon(1e-12));
+}
