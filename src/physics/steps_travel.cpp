@@ -41,15 +41,20 @@ bool joined(Terrain const& terrain, Contact contact, Shape const& shape) {
     return terrain.start_vertex[piece] == place || terrain.end_vertex[piece] == place;
 }
 
-// Whether a ball that has just met another surface keeps to the one it was on: it leaves it so slowly, if at all, that
-// it would be back within the substep.
+// What the acceleration makes of a ball within a substep: slower than this it does not get away from a corner.
+double slow_speed(Substep const& substep, Traveller const& traveller) {
+    return substep.pace * length(acceleration_in(traveller.field, traveller.state.position, traveller.state.velocity));
+}
+
+// Whether a ball that has just met another surface keeps to the one it was on: it leaves it, or closes upon it, so
+// slowly that the two together decide what becomes of it.
 bool stays_on(Substep const& substep, Traveller const& traveller, Contact contact) {
     if (contact.feature < 0) return false;
     Shape const shape = shape_of(substep.terrain, contact.feature);
     Sight const sight = sight_of(substep.terrain, shape, traveller.state.position);
-    double const leaving = dot(traveller.state.velocity, sight.normal);
     double const graze = grazing * length(traveller.state.velocity);
-    return leaving >= -graze && leaving <= graze + pressure_on(shape, sight, traveller) * substep.pace;
+    if (pressure_on(shape, sight, traveller) <= 0) return false;
+    return std::abs(dot(traveller.state.velocity, sight.normal)) <= graze + slow_speed(substep, traveller);
 }
 
 void glide_over_joint(Substep const& substep, Traveller& traveller, Shape const& shape, double now) {
@@ -103,7 +108,8 @@ void arrive(Substep const& substep, Traveller& traveller, Shape const& shape, do
     double const closing = -dot(traveller.state.velocity, sight.normal);
     double const pressure = std::max(0.0, pressure_on(shape, sight, traveller));
     // A bounce that would be over within two substeps is none: the ball stays.
-    bool const bounces = shape.material->restitution * closing > pressure * substep.pace;
+    double const slow = before.feature >= 0 ? slow_speed(substep, traveller) : pressure * substep.pace;
+    bool const bounces = shape.material->restitution * closing > slow + gentle;
     traveller.state = after_impact(traveller.state, *traveller.ball, sight.normal,
                                    bounces ? shape.material->restitution : 0, shape.material->friction)
                           .state;
@@ -116,7 +122,7 @@ void arrive(Substep const& substep, Traveller& traveller, Shape const& shape, do
     }
     if (stays_on(substep, traveller, before)) {
         // Against a second surface while it keeps to the first.
-        if (closing > pressure * substep.pace + gentle)
+        if (closing > slow + gentle)
             substep.events.push_back(
                 {substep.since + now, EventKind::land, traveller.index, traveller.state, here, -1});
         return;
