@@ -12,7 +12,7 @@ using geometry::length;
 
 namespace {
 
-constexpr int most_turns = 256;     // impacts, stretches and changes of surface in one go; then the rest of it is lost
+constexpr int most_turns = 256;     // impacts, stretches and changes of surface in one go; more is a jam
 constexpr double grazing = 1e-9;    // share of the speed: slower closing on a surface just left is rounding
 constexpr double gentle = 1e-9;     // m/s, touches below this are no events
 constexpr double paths_ahead = 24;  // how many substeps' way ahead the surroundings are looked up
@@ -191,6 +191,10 @@ void travel(Substep const& substep, Traveller& traveller, double since) {
     double left = substep.length - since;
     for (int i = 0; i < most_turns && left > 0; ++i)
         left -= traveller.contact.feature < 0 ? fly(substep, traveller, left) : ride(substep, traveller, left);
+    if (left <= 0) return;
+    // So many impacts in so short a time are a ball jammed in a gap: it stops where it is.
+    traveller.state.velocity = Vec2::Zero();
+    traveller.state.spin = 0;
 }
 
 }  // namespace physics
