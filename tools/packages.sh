@@ -65,17 +65,16 @@ install_what_is_missing_to() {
 # Configures and builds a preset from the top of the checkout; all it says goes to stderr, and nothing when all is built.
 build_preset() {
     local preset=$1 folder=build/$1 log
-    if [ -e "$folder/built" ]; then
-        ninja -C "$folder" --quiet | sed '/no work to do/d' >&2 || give_up "could not build $preset"
-        return 0
+    if [ ! -e "$folder/build.ninja" ]; then
+        say "building $preset in $folder"
+        mkdir -p "$folder"
+        log=$folder/configure.log
+        cmake --preset "$preset" >"$log" 2>&1 || {
+            cat "$log" >&2
+            give_up "could not configure $preset"
+        }
     fi
-    say "building $preset in $folder"
-    mkdir -p "$folder"
-    log=$folder/configure.log
-    cmake --preset "$preset" >"$log" 2>&1 || {
-        cat "$log" >&2
-        give_up "could not configure $preset"
-    }
-    ninja -C "$folder" >&2 || give_up "could not build $preset"
-    touch "$folder/built"
+    # What ninja and cmake say of themselves is left out; steps and errors come as they happen.
+    ninja -C "$folder" | { grep --line-buffered -vE '^(ninja: (Entering|no work)|-- |\[.*Re-(checking|running))' || true; } >&2 ||
+        give_up "could not build $preset"
 }
