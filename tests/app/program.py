@@ -54,7 +54,7 @@ def until(condition, what, process=None):
         if result:
             return result
         if process is not None and process.poll() is not None:
-            raise AssertionError(f"the program ended with {process.returncode} before {what}")
+            raise AssertionError(f"ended with {process.returncode} before {what}: {process.stderr.read().decode()}")
         time.sleep(0.02)
     raise AssertionError(f"waited {PATIENCE} s in vain: {what}")
 

@@ -25,8 +25,9 @@ class Display:
 
     def __init__(self, test):
         read, write = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten",
-                                        "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+        # Without -noreset it starts anew, and refuses clients meanwhile, whenever its last client leaves.
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-noreset",
+                                        "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         test.addCleanup(self.server.wait)
         test.addCleanup(self.server.terminate)
