@@ -147,7 +147,8 @@ Meeting first_meeting(Substep const& substep, Traveller& traveller, Path const& 
         // Neighbours that the ball glides to without closing on them, and what has just let go, are not run into.
         bool const left_or_next = riding ? meet_smoothly(substep.terrain, traveller.contact.feature, shape.feature)
                                          : t == 0 && traveller.let_go;
-        if (left_or_next && closing_speed(substep.terrain, shape, traveller) <= graze) continue;
+        double const slow = riding ? joint_turn * length(path.velocity) : graze;
+        if (left_or_next && closing_speed(substep.terrain, shape, traveller) <= slow) continue;
         first = {t, &shape};
     }
     return first;
