@@ -117,9 +117,11 @@ struct AccelerationBound {
 
 }  // namespace
 
-State at(Leg const& leg, double t) {
-    return std::visit([&](auto const& motion) { return state_on(motion, t - leg.since); }, leg.motion);
+State at_span(Leg const& leg, double span) {
+    return std::visit([&](auto const& motion) { return state_on(motion, span); }, leg.motion);
 }
+
+State at(Leg const& leg, double t) { return at_span(leg, t - leg.since); }
 
 double acceleration_bound(Leg const& leg, double from, double to) {
     return std::visit(AccelerationBound{from - leg.since, to - leg.since}, leg.motion);

@@ -76,6 +76,9 @@ struct Leg {
 // The state at time t, forward or back of the leg's ends as well. Never changes anything.
 State at(Leg const& leg, double t);
 
+// The state `span` seconds after the leg began.
+State at_span(Leg const& leg, double span);
+
 // An upper bound of |d^2 position/dt^2| over [from, to] within the leg, m/s^2.
 double acceleration_bound(Leg const& leg, double from, double to);
 

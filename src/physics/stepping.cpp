@@ -2,26 +2,11 @@
 
 #include <cmath>
 
-#include "geometry/elementary.h"
 #include "physics/steps_along.h"
 #include "physics/steps_shape.h"
+#include "physics/sweep.h"
 
 namespace physics {
-
-namespace {
-constexpr double touching_at_start = 1e-9;  // m
-}  // namespace
-
-Field field_on(Scene const& scene, Forces const& forces, int ball) {
-    Field field;
-    field.gravity = gravity_of(scene, forces);
-    if (!forces.pull || forces.pull->ball != ball || scene.drag.frequency <= 0) return field;
-    double const omega = 2 * geometry::pi * scene.drag.frequency;
-    field.pulled = true;
-    field.target = forces.pull->target;
-    field.spring = {scene.drag.damping * omega, omega * omega};
-    return field;
-}
 
 Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity, double time) {
     if (!field.pulled)
@@ -38,12 +23,12 @@ Standing standing_at_start(Scene const& scene, Ball const& ball) {
     State const& state = ball.start;
     Standing standing{state, Phase::flight, {}};
     Surroundings near;
-    look_around(scene.terrain, state.position, ball.radius, touching_at_start, near);
+    look_around(scene.terrain, state.position, ball.radius, touch_reach, near);
     double hardest = 0;
     for (Shape const& shape : near.shapes) {
         Sight const sight = sight_of(scene.terrain, shape, state.position);
         double const leaving = geometry::dot(state.velocity, sight.normal);
-        bool const touches = std::abs(sight.distance - ball.radius) <= touching_at_start;
+        bool const touches = std::abs(sight.distance - ball.radius) <= touch_reach;
         if (!sight.faces || !touches || std::abs(leaving) > no_slip * geometry::length(state.velocity)) continue;
         double const along = geometry::wedge(state.velocity, sight.normal);
         double const bend = curvature_at(shape, sight.side, ball.radius);

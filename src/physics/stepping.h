@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/oscillator.h"
+#include "physics/field.h"
 #include "physics/world.h"
 
 namespace physics {
@@ -11,20 +11,6 @@ namespace physics {
 // Counted, not summed: no drift however long the run.
 inline double time_of_step(World const& world, double rate, long long n) {
     return world.step_origin + static_cast<double>(n) / rate;
-}
-
-// All that acts on one ball between contacts: gravity, and the drag spring on the ball that is pulled.
-struct Field {
-    Vec2 gravity = Vec2::Zero();  // m/s^2
-    bool pulled = false;
-    Vec2 target = Vec2::Zero();  // m
-    geometry::Oscillator spring;
-};
-Field field_on(Scene const& scene, Forces const& forces, int ball);
-
-inline Vec2 acceleration_in(Field const& field, Vec2 const& position, Vec2 const& velocity) {
-    if (!field.pulled) return field.gravity;
-    return field.gravity + field.spring.stiffness * (field.target - position) - (2 * field.spring.decay) * velocity;
 }
 
 // Position and velocity after `time` without contact, exactly: a parabola, or a damped swing about the equilibrium.
