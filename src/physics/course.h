@@ -1,0 +1,80 @@
+// Courses: one leg of one ball under the exact method, from now to the event that ends it.
+#pragma once
+
+#include "physics/field.h"
+#include "physics/leg.h"
+#include "physics/outlook.h"
+
+namespace physics {
+
+struct Course {
+    Leg leg;
+    double duration = never;  // s, of the leg
+    Ending ending = Ending::none;
+    Contact next;               // meets, joins, turns
+    double next_q = 0;          // m, on the next track: joins, turns
+    Onset onset = Onset::none;  // slips, goes_on
+};
+
+// What a course depends on besides the ball's state.
+struct Setting {
+    Terrain const& terrain;
+    Ball const& ball;
+    Field field;
+};
+
+// A ball on its track.
+struct Rider {
+    Contact contact;
+    Track track;
+    double q = 0;      // m
+    double speed = 0;  // m/s, along t
+    double rim = 0;    // m/s, in the rolling sense: -r spin
+    double angle = 0;  // rad
+    double slip() const { return speed - rim; }
+};
+State state_of(Setting const& setting, Rider const& rider);
+
+// Components of the field's acceleration where the rider is, and the normal force per mass (physics.md 2.6).
+double tangent_acceleration(Setting const& setting, Rider const& rider);
+double normal_force(Setting const& setting, Rider const& rider);
+// Whether the surface pushes at all: without normal force there is no friction, and the ball flies, be it along the
+// surface.
+bool is_pressed(Setting const& setting, Rider const& rider);
+
+// Tangential acceleration = alpha a_t + beta N, rim acceleration = gamma N: rolling, with or without resistance, and
+// sliding are the same law with other numbers (physics.md 2.3 to 2.5). It holds while each limit a_t * tangent + N *
+// normal stays above zero.
+struct Limit {
+    double tangent = 0;
+    double normal = 0;
+    Ending ending = Ending::none;
+    Onset onset = Onset::none;
+};
+struct Law {
+    Phase phase = Phase::roll;
+    double alpha = 1;
+    double beta = 0;
+    double gamma = 0;
+    double sign = 0;  // of the slip, sliding; of the way, rolling against resistance
+    std::array<Limit, 3> limits{};
+    int limit_count = 0;
+};
+Law law_for(Setting const& setting, Rider const& rider, Onset onset);
+
+// Free of contact from `state` on; `left` is the contact just parted from.
+Course flight_course(Setting const& setting, State const& state, double since, Contact left);
+// Continues the search of a flight whose next events are known only up to `searched` seconds after its beginning.
+Course continued_flight(Setting const& setting, Leg const& leg, double searched);
+
+// On the track under the law, until something changes. `ends` says how far the track goes.
+Course track_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
+
+// At rest, or spinning on the spot with the spin changing at spin_rate (rad/s^2) until it ends.
+Course standing_course(State const& state, Contact contact, double spin_rate, double since);
+
+// The rest of a bounce sequence on one contact in closed form, from a take-off at normal speed `hop` so low that it
+// is not seen: the sum of infinitely many hops (physics.md 2.13).
+Course settling_course(Setting const& setting, Rider const& rider, double hop, double since);
+
+}  // namespace physics

@@ -1,0 +1,147 @@
+// Circular tracks: the motion as power series in time, to machine precision in one stride (physics.md 2.6 to 2.9).
+#include <cmath>
+
+#include "geometry/elementary.h"
+#include "geometry/polynomial.h"
+#include "physics/course.h"
+#include "physics/course_track.h"
+
+namespace physics {
+
+namespace {
+
+constexpr int order = series_order;
+// The last coefficients' terms at the end of a stride, against the motion's own size: below rounding.
+constexpr double truncation = 1e-17;
+// A rate of slip below this share of the acceleration is rounding.
+constexpr double onset_rounding = 1e-12;
+constexpr double longest_stride = 2;  // s
+
+// The motion about the rider's present place, coefficients by power of the time.
+struct Expansion {
+    Series phi{}, sine{}, cosine{};
+    Series speed{};    // m/s, along t
+    Series way{};      // m, along t, from q
+    Series rim{};      // m/s
+    Series force{};    // normal force per mass
+    Series tangent{};  // a_t
+};
+
+double product_term(Series const& a, Series const& b, int n) {
+    double sum = 0;
+    for (int i = 0; i <= n; ++i) sum += a[i] * b[n - i];
+    return sum;
+}
+
+// (n+1)-th coefficient of the antiderivative of (d angle/dt) * b.
+double chain_term(Series const& angle, Series const& b, int n) {
+    double sum = 0;
+    for (int j = 0; j <= n; ++j) sum += (j + 1) * angle[j + 1] * b[n - j];
+    return sum / (n + 1);
+}
+
+Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& law) {
+    Track const& track = rider.track;
+    Field const& field = setting.field;
+    // The spring on a circle is a constant field and a radial pull (physics.md 2.7).
+    Vec2 const constant = field.gravity + field.spring.stiffness * (field.target - track.origin);
+    double const radial = field.spring.stiffness * track.rho;
+    double const s = track.sense;
+    Expansion x;
+    x.phi[0] = track.phi0 - s * rider.q / track.rho;
+    auto const [sine, cosine] = geometry::sine_cosine(x.phi[0]);
+    x.sine[0] = sine;
+    x.cosine[0] = cosine;
+    x.speed[0] = rider.speed;
+    x.rim[0] = rider.rim;
+    for (int n = 0; n <= order; ++n) {
+        double const outward = constant.x() * x.cosine[n] + constant.y() * x.sine[n] - (n == 0 ? radial : 0);
+        x.force[n] = -s * (product_term(x.speed, x.speed, n) / track.rho + outward);
+        x.tangent[n] =
+            s * (constant.x() * x.sine[n] - constant.y() * x.cosine[n]) - 2 * field.spring.decay * x.speed[n];
+        if (n == order) break;
+        x.speed[n + 1] = (law.alpha * x.tangent[n] + law.beta * x.force[n]) / (n + 1);
+        x.rim[n + 1] = law.phase == Phase::slide ? law.gamma * x.force[n] / (n + 1) : x.speed[n + 1];
+        x.way[n + 1] = x.speed[n] / (n + 1);
+        x.phi[n + 1] = -s * x.way[n + 1] / track.rho;
+        x.sine[n + 1] = chain_term(x.phi, x.cosine, n);
+        x.cosine[n + 1] = -chain_term(x.phi, x.sine, n);
+    }
+    return x;
+}
+
+double power(double base, int exponent) {
+    double result = 1;
+    for (; exponent > 0; exponent >>= 1, base *= base)
+        if (exponent & 1) result *= base;
+    return result;
+}
+
+// The longest stride of a fixed set of lengths at which the terms left out do not show.
+double stride_of(Expansion const& x, double rho) {
+    double const size = truncation * (1 + std::abs(x.phi[1]));
+    double const last = std::abs(x.speed[order]) / rho, before = std::abs(x.speed[order - 1]) / rho;
+    double stride = longest_stride;
+    for (int i = 0; i < 200; ++i, stride *= 0.84) {
+        double const p = power(stride, order - 1);
+        if (last * p * stride <= size && before * p <= size) break;
+    }
+    return stride;
+}
+
+Series combined(double a, Series const& x, double b, Series const& y) {
+    Series sum;
+    for (int i = 0; i <= order; ++i) sum[i] = a * x[i] + b * y[i];
+    return sum;
+}
+
+Series distance_to(Series const& way, double limit, double direction) {
+    Series gap;
+    for (int i = 0; i <= order; ++i) gap[i] = -direction * way[i];
+    gap[0] = std::max(0.0, limit);
+    return gap;
+}
+
+// Slip in its own sense. Where grip has just been lost it begins with nothing, and at first grows by its second power
+// alone: the rounding of its rate must not end it.
+Series slip_series(Rider const& rider, Law const& law, Expansion const& x) {
+    Series slip = combined(law.sign, x.speed, -law.sign, x.rim);
+    if (rider.slip() != 0) return slip;
+    slip[0] = 0;
+    if (std::abs(slip[1]) <= onset_rounding * std::abs(x.tangent[0])) slip[1] = 0;
+    return slip;
+}
+
+Series angle_series(Setting const& setting, Rider const& rider, Law const& law, Expansion const& x) {
+    Series angle{};
+    angle[0] = rider.angle;
+    for (int i = 1; i <= order; ++i)
+        angle[i] = (law.phase == Phase::slide ? -x.rim[i - 1] / i : -x.way[i]) / setting.ball.radius;
+    return angle;
+}
+
+}  // namespace
+
+Course circle_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since) {
+    Expansion const x = expansion_of(setting, rider, law);
+    Soonest soonest;
+    soonest.offer(stride_of(x, rider.track.rho), Limit{0, 0, Ending::goes_on, Onset::none});
+    auto const look = [&](Series const& gap, auto const& what) {
+        soonest.offer(geometry::first_fall(gap, soonest.time), what);
+    };
+    look(x.force, Ending::lifts);
+    for (int i = 0; i < law.limit_count; ++i)
+        look(combined(law.limits[i].tangent, x.tangent, law.limits[i].normal, x.force), law.limits[i]);
+    if (ends.high.q < never) look(distance_to(x.way, ends.high.q - rider.q, 1), ends.high);
+    if (ends.low.q > -never) look(distance_to(x.way, rider.q - ends.low.q, -1), ends.low);
+    if (law.phase == Phase::slide) look(slip_series(rider, law, x), Ending::grips);
+    if (law.phase == Phase::roll && law.sign != 0) look(combined(law.sign, x.speed, 0, x.speed), Ending::stops);
+    auto const series = std::make_shared<CircleSeries>();
+    series->centre = rider.track.origin;
+    series->rho = rider.track.rho;
+    series->phi = x.phi;
+    series->angle = angle_series(setting, rider, law, x);
+    return soonest.course(rider, law, CircleRun{series}, since);
+}
+
+}  // namespace physics

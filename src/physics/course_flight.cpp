@@ -1,0 +1,60 @@
+// Flight: a parabola, or a damped swing about the drag spring's equilibrium, up to the first terrain.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/elementary.h"
+#include "physics/course.h"
+
+namespace physics {
+
+namespace {
+
+// How far ahead a flight on the spring is searched at a time, in periods of the spring.
+constexpr double search_periods = 0.25;
+
+bool at_rest_for_good(Leg const& leg, double t) {
+    State const now = at_span(leg, t);
+    return geometry::length(now.velocity) == 0 && acceleration_bound(leg, leg.since + t, leg.since + t) == 0;
+}
+
+}  // namespace
+
+Course continued_flight(Setting const& setting, Leg const& leg, double searched) {
+    Course course;
+    course.leg = leg;
+    double const window = search_periods * 2 * geometry::pi / std::sqrt(setting.field.spring.stiffness);
+    if (at_rest_for_good(leg, searched)) {
+        course.leg.until = never;
+        return course;
+    }
+    Contact const left = searched == 0 ? leg.contact : no_contact;
+    Obstacle const found = first_obstacle(setting.terrain, leg, setting.ball.radius, searched, searched + window, left);
+    course.duration = std::min(found.time, searched + window);
+    course.leg.until = leg.since + course.duration;
+    course.ending = found.time <= searched + window ? Ending::meets : Ending::goes_on;
+    course.next = found.contact;
+    return course;
+}
+
+Course flight_course(Setting const& setting, State const& state, double since, Contact left) {
+    Course course;
+    course.leg.since = since;
+    if (setting.field.pulled) {
+        Vec2 const equilibrium = setting.field.target + setting.field.gravity / setting.field.spring.stiffness;
+        course.leg.motion = SpringFlight{state, equilibrium, setting.field.spring};
+        course.leg.contact = left;
+        course = continued_flight(setting, course.leg, 0);
+        course.leg.contact = no_contact;
+        return course;
+    }
+    course.leg.motion = Ballistic{state, setting.field.gravity, 0};
+    Parabola const path{state.position, state.velocity, setting.field.gravity};
+    Obstacle const found = first_obstacle(setting.terrain, path, setting.ball.radius, never, left, {});
+    course.duration = found.time;
+    course.leg.until = since + found.time;
+    course.ending = found.time < never ? Ending::meets : Ending::none;
+    course.next = found.contact;
+    return course;
+}
+
+}  // namespace physics

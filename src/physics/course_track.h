@@ -1,0 +1,54 @@
+// What straight and circular tracks share: which of several ends comes first.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "physics/course.h"
+
+namespace physics {
+
+// The soonest of the ends that a course might come to.
+struct Soonest {
+    double time = never;  // s since the course began
+    Ending ending = Ending::none;
+    Contact next;
+    double next_q = 0;
+    Onset onset = Onset::none;
+
+    void offer(std::optional<double> t, Ending what) {
+        if (t && *t < time) *this = {std::max(0.0, *t), what, no_contact, 0, Onset::none};
+    }
+    void offer(std::optional<double> t, Limit const& limit) {
+        if (t && *t < time) *this = {std::max(0.0, *t), limit.ending, no_contact, 0, limit.onset};
+    }
+    void offer(std::optional<double> t, TrackEnd const& passage) {
+        if (!t || !(*t < time)) return;
+        Ending const what = passage.kind == EndKind::joint    ? Ending::joins
+                            : passage.kind == EndKind::corner ? Ending::turns
+                                                              : Ending::meets;
+        *this = {std::max(0.0, *t), what, passage.next, passage.next_q, Onset::none};
+    }
+
+    Course course(Rider const& rider, Law const& law, Motion motion, double since) const {
+        Course c;
+        c.leg = {since, since + time, law.phase, rider.contact, std::move(motion)};
+        c.duration = time;
+        c.ending = ending;
+        c.next = next;
+        c.next_q = next_q;
+        c.onset = onset;
+        return c;
+    }
+};
+
+Course line_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
+Course circle_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
+
+inline Course track_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends,
+                           double since) {
+    return rider.track.straight ? line_course(setting, rider, law, ends, since)
+                                : circle_course(setting, rider, law, ends, since);
+}
+
+}  // namespace physics
