@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/article.h"
+#include "physics/exact.h"
 #include "physics/sense.h"
 #include "physics/stepping.h"
 #include "physics/steps.h"
@@ -13,13 +14,16 @@ char const* name_of(Method const& method) {
     struct Names {
         char const* operator()(Article const&) const { return "article"; }
         char const* operator()(Steps const&) const { return "steps"; }
+        char const* operator()(Exact const&) const { return "exact"; }
     };
     return std::visit(Names{}, method);
 }
 
-World world_at_start(Method const&, Scene const& scene, History& history) {
-    World world;
-    history = {};
+namespace {
+
+// A stepping method knows nothing of the way ahead: every ball is on a straight leg until the first step.
+template <typename Stepping>
+void begin_with(Stepping const&, Scene const& scene, World& world, History& history) {
     for (Ball const& ball : scene.balls) {
         Standing const standing = standing_at_start(scene, ball);
         Leg leg;
@@ -29,6 +33,18 @@ World world_at_start(Method const&, Scene const& scene, History& history) {
         world.legs.push_back(leg);
         history.legs.push_back({leg});
     }
+}
+
+// A step reads the forces when it begins.
+template <typename Stepping>
+void force_with(Stepping const&, Scene const&, World&, Forces const&, History&) {}
+
+}  // namespace
+
+World world_at_start(Method const& method, Scene const& scene, History& history) {
+    World world;
+    history = {};
+    std::visit([&](auto const& m) { begin_with(m, scene, world, history); }, method);
     world.noticed = nothing_noticed(scene);
     sense(scene, world, 0, 0, history);
     return world;
@@ -43,7 +59,8 @@ std::optional<Fault> advance(Method const& method, Scene const& scene, World& wo
     return std::nullopt;
 }
 
-std::optional<Fault> apply(Method const&, Scene const& scene, World& world, Forces const& forces, History&) {
+std::optional<Fault> apply(Method const& method, Scene const& scene, World& world, Forces const& forces,
+                           History& history) {
     if (!std::isfinite(forces.tilt)) return Fault{"the tilt is not finite"};
     if (forces.pull && !geometry::is_finite(forces.pull->target)) return Fault{"the target of the pull is not finite"};
     if (forces.pull && (forces.pull->ball < 0 || forces.pull->ball >= static_cast<int>(scene.balls.size())))
@@ -52,7 +69,9 @@ std::optional<Fault> apply(Method const&, Scene const& scene, World& world, Forc
     if (forces.tilt != world.forces.tilt) world.still_steps.clear();
     for (auto const& pull : {world.forces.pull, forces.pull})
         if (pull && pull->ball < static_cast<int>(world.still_steps.size())) world.still_steps[pull->ball] = 0;
+    Forces const before = world.forces;
     world.forces = forces;
+    std::visit([&](auto const& m) { force_with(m, scene, world, before, history); }, method);
     return std::nullopt;
 }
 

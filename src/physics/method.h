@@ -20,7 +20,10 @@ struct Steps {
     int substeps = 4;
 };
 
-using Method = std::variant<Article, Steps>;
+// From event to event, in closed form (physics/exact.h).
+struct Exact {};
+
+using Method = std::variant<Article, Steps, Exact>;
 
 char const* name_of(Method const& method);
 

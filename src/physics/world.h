@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/leg.h"
+#include "physics/outlook.h"
 #include "physics/scene.h"
 
 namespace physics {
@@ -33,28 +34,19 @@ struct Touch {
     double tangent_impulse = 0;  // N s
 };
 
-// What the exact method knows of a ball's future: how its leg ends, and whom it meets first.
-struct Outlook {
-    int ending = 0;           // meaning: physics/exact.h
-    Contact next;             // the contact that the ending leads to
-    double coordinate = 0;    // m, on the track, while in contact
-    double speed = 0;         // m/s, along the track
-    double hit_time = never;  // s
-    int hit_ball = -1;
-};
-
 struct World {
     double time = 0;  // s: everything up to here is settled
     Forces forces;
     std::vector<Leg> legs;  // by ball, the current ones
 
-    double step_origin = 0;      // s, where step 0 began
-    long long steps_taken = 0;   // step n is at step_origin + n / rate
-    std::vector<Touch> touches;  // stepping methods
+    double step_origin = 0;        // s, where step 0 began
+    long long steps_taken = 0;     // step n is at step_origin + n / rate
+    std::vector<Touch> touches;    // stepping methods
     std::vector<int> still_steps;  // by ball, for how many steps it has stood still; apply() clears it
 
     std::vector<Outlook> outlooks;  // exact method
     bool handed_over = false;       // the exact method has let `steps` take the world for now
+    double handover_time = 0;       // s, when it last did
 
     std::vector<std::vector<bool>> noticed;  // by sensor and ball
 };

@@ -1,0 +1,123 @@
+#include "physics/encounter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polynomial.h"
+#include "physics/impact.h"
+
+namespace physics {
+
+using geometry::dot;
+
+namespace {
+
+constexpr double longest_search = 1;     // s, conservative advancement looks this far at a time
+constexpr double gap_accuracy = 1e-13;   // m
+constexpr double blink = 1e-6;           // s, over which a touch without pressure stays one
+constexpr double rate_rounding = 1e-12;  // share of the speeds below which a rate of approach is rounding
+constexpr int advancement_cap = 4000;
+constexpr int blow_sweeps = 2000;        // Gauss-Seidel sweeps over the pairs of one batch
+constexpr double blow_accuracy = 1e-16;  // of the fastest approach
+
+struct Approach {
+    double gap = 0;   // m
+    double rate = 0;  // m/s
+};
+
+Approach approach_at(Leg const& a, Leg const& b, double reach, double t) {
+    State const sa = at(a, t), sb = at(b, t);
+    Vec2 const way = sb.position - sa.position;
+    double const distance = geometry::length(way);
+    return {distance - reach, dot(way, sb.velocity - sa.velocity) / distance};
+}
+
+Encounter quadratic_encounter(Leg const& a, Leg const& b, double reach, double from, double until) {
+    State const sa = at(a, from), sb = at(b, from);
+    Vec2 const p = sb.position - sa.position, v = sb.velocity - sa.velocity;
+    Vec2 const acceleration = std::get<Ballistic>(b.motion).acceleration - std::get<Ballistic>(a.motion).acceleration;
+    auto gap = geometry::distance_quartic(p, v, acceleration, reach);
+    double const speeds = geometry::length(sa.velocity) + geometry::length(sb.velocity);
+    if (std::abs(gap[0]) <= 2 * reach * touch_reach) {
+        gap[0] = 0;
+        if (std::abs(gap[1]) <= 2 * reach * rate_rounding * speeds) gap[1] = 0;
+        double const rounding = rate_rounding * (speeds * speeds + reach * geometry::length(acceleration));
+        if (gap[1] == 0 && gap[2] < -rounding) return {from, true, true};
+        if (gap[1] == 0 && gap[2] <= rounding) return {until, false, false};
+    }
+    auto const t = geometry::first_fall(gap, until - from);
+    return t ? Encounter{from + *t, true, false} : Encounter{until, false, false};
+}
+
+double open_time(double gap, double rate, double bound) {
+    double const root = std::sqrt(rate * rate + 2 * bound * gap);
+    if (rate >= 0) return bound > 0 ? (rate + root) / bound : never;
+    return 2 * gap / (root - rate);
+}
+
+Encounter advanced_encounter(Leg const& a, Leg const& b, double reach, double from, double until) {
+    double const end = std::min(until, from + longest_search);
+    double const bound = acceleration_bound(a, from, end) + acceleration_bound(b, from, end);
+    double t = from;
+    for (int i = 0; i < advancement_cap && t < end; ++i) {
+        Approach const now = approach_at(a, b, reach, t);
+        double const speeds = geometry::length(at(a, t).velocity) + geometry::length(at(b, t).velocity);
+        if (now.gap <= (t == from ? touch_reach : gap_accuracy)) {
+            if (now.rate < -rate_rounding * speeds) return {t, true, false};
+            if (now.rate <= rate_rounding * speeds) {
+                Approach const soon = approach_at(a, b, reach, t + blink);
+                if (soon.rate < -rate_rounding * speeds && soon.gap < now.gap) return {t, true, true};
+                t += blink;
+                continue;
+            }
+        }
+        t += open_time(std::max(0.0, now.gap), now.rate, bound);
+    }
+    return {std::min(t, end), false, false};
+}
+
+}  // namespace
+
+Encounter encounter_of(Leg const& a, Leg const& b, double reach, double from, double until) {
+    bool const quadratic = std::holds_alternative<Ballistic>(a.motion) && std::holds_alternative<Ballistic>(b.motion);
+    return quadratic ? quadratic_encounter(a, b, reach, from, until) : advanced_encounter(a, b, reach, from, until);
+}
+
+double closing_speed(State const& a, State const& b) {
+    Vec2 const way = b.position - a.position;
+    return -dot(b.velocity - a.velocity, way) / geometry::length(way);
+}
+
+void strike_together(std::vector<Ball> const& balls, std::vector<Pair> const& pairs, std::vector<State>& states) {
+    std::vector<Vec2> normals;
+    std::vector<double> impulses(pairs.size(), 0.0), wanted;
+    double fastest = 0;
+    for (Pair const& p : pairs) {
+        Vec2 const way = states[p.b].position - states[p.a].position;
+        normals.push_back(way / geometry::length(way));
+        double const closing = -dot(states[p.b].velocity - states[p.a].velocity, normals.back());
+        wanted.push_back(std::max(balls[p.a].restitution, balls[p.b].restitution) * closing);
+        fastest = std::max(fastest, closing);
+    }
+    for (int sweep = 0; sweep < blow_sweeps; ++sweep) {
+        double change = 0;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            auto const [a, b] = pairs[i];
+            double const speed = dot(states[b].velocity - states[a].velocity, normals[i]);
+            double const yield = 1 / balls[a].mass + 1 / balls[b].mass;
+            double const impulse = std::max(-impulses[i], (wanted[i] - speed) / yield);
+            impulses[i] += impulse;
+            push_apart(balls[a], states[a], balls[b], states[b], normals[i], impulse, 0);
+            change = std::max(change, std::abs(impulse) * yield);
+        }
+        if (pairs.size() == 1 || change <= blow_accuracy * fastest) break;
+    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        auto const [a, b] = pairs[i];
+        double const friction =
+            pair_friction_impulse(balls[a], states[a], balls[b], states[b], normals[i], impulses[i]);
+        push_apart(balls[a], states[a], balls[b], states[b], normals[i], 0, friction);
+    }
+}
+
+}  // namespace physics

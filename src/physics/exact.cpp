@@ -1,0 +1,234 @@
+#include "physics/exact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/encounter.h"
+#include "physics/handover.h"
+#include "physics/ride.h"
+
+namespace physics {
+
+namespace {
+
+// Events of different balls nearer than this count as one moment.
+constexpr double moment = 1e-12;  // s
+
+// One call's view of the world: what does not change, and where legs and events go.
+class Timeline {
+public:
+    Timeline(Scene const& scene, World& world, History& history) : scene_(scene), world_(world), history_(history) {}
+
+    void begin() {
+        world_.legs.resize(scene_.balls.size());
+        world_.outlooks.assign(scene_.balls.size(), {});
+        history_.legs.assign(scene_.balls.size(), {});
+        for (int i = 0; i < count(); ++i) resolve(i, scene_.balls[i].start, no_contact);
+        for (int i = 0; i < count(); ++i) look_for_hits(i);
+    }
+
+    void begin_from(Retaken const& retaken) {
+        world_.outlooks.assign(scene_.balls.size(), {});
+        for (int i = 0; i < count(); ++i) resolve(i, retaken.states[i], retaken.contacts[i]);
+        for (int i = 0; i < count(); ++i) look_for_hits(i);
+    }
+
+    // Events up to and including `until`; false when the world must be handed over at world.time.
+    bool run(double until) {
+        while (true) {
+            Next const next = soonest();
+            if (next.time > until) break;
+            world_.time = std::max(world_.time, next.time);
+            if (next.is_hit ? !hit(next.ball) : !end_leg(next.ball)) return false;
+        }
+        world_.time = until;
+        return true;
+    }
+
+    void refresh(Forces const& before) {
+        std::vector<int> touched;
+        for (int i = 0; i < count(); ++i) {
+            Field const was = field_on(scene_, before, i), is = field_on(scene_, world_.forces, i);
+            if (was.gravity == is.gravity && was.target == is.target && was.pulled == is.pulled) continue;
+            take(i, under_new_field(setting(i), world_.legs[i], world_.outlooks[i], world_.time), world_.time);
+            touched.push_back(i);
+        }
+        for (int const i : touched) look_for_hits(i);
+    }
+
+private:
+    struct Next {
+        double time = never;
+        int ball = -1;
+        bool is_hit = false;
+    };
+
+    int count() const { return static_cast<int>(scene_.balls.size()); }
+    Setting setting(int i) const { return {scene_.terrain, scene_.balls[i], field_on(scene_, world_.forces, i)}; }
+
+    // Phase changes before hits, lower balls first (physics.md 3.4).
+    Next soonest() const {
+        Next next;
+        for (int i = 0; i < count(); ++i)
+            if (world_.legs[i].until < next.time) next = {world_.legs[i].until, i, false};
+        if (count() > 1)
+            for (int i = 0; i < count(); ++i)
+                if (world_.outlooks[i].hit_time < next.time - moment) next = {world_.outlooks[i].hit_time, i, true};
+        return next;
+    }
+
+    void resolve(int i, State const& state, Contact known) {
+        take(i, resolved(setting(i), state, world_.time, known), world_.time);
+    }
+
+    void tell(EventKind kind, int ball, State const& state, Contact contact, int other) {
+        history_.events.push_back({world_.time, kind, ball, state, contact, other});
+    }
+
+    // Makes a turnout the ball's present.
+    void take(int i, Turnout const& turnout, double time) {
+        Course const& course = turnout.course;
+        std::deque<Leg>& legs = history_.legs[i];
+        // A leg that lasted no time leaves no trace; one that goes on is the same leg, known further ahead.
+        if (!legs.empty() && legs.back().since >= course.leg.since) legs.pop_back();
+        if (!legs.empty()) legs.back().until = std::min(legs.back().until, course.leg.since);
+        legs.push_back(course.leg);
+        world_.legs[i] = course.leg;
+        Outlook& outlook = world_.outlooks[i];
+        outlook.ending = course.ending;
+        outlook.duration = course.duration;
+        outlook.next = course.next;
+        outlook.next_q = course.next_q;
+        outlook.onset = course.onset;
+        outlook.ends = turnout.ends;
+        for (Turnout::Happening const& happening : turnout.happenings)
+            tell(happening.kind, i, at(course.leg, time), happening.contact, -1);
+    }
+
+    bool watched(int i) {
+        Outlook& outlook = world_.outlooks[i];
+        if (world_.time - outlook.watch_since > watch_span) {
+            outlook.watch_since = world_.time;
+            outlook.watch_count = 0;
+        }
+        return ++outlook.watch_count <= watch_events;
+    }
+
+    bool end_leg(int i) {
+        if (!watched(i)) return false;
+        bool const same_motion = world_.outlooks[i].ending == Ending::goes_on && world_.legs[i].phase == Phase::flight;
+        take(i, after_end(setting(i), world_.legs[i], world_.outlooks[i]), world_.time);
+        if (!same_motion) look_for_hits(i);
+        return true;
+    }
+
+    double reach(int i, int j) const { return scene_.balls[i].radius + scene_.balls[j].radius; }
+
+    // Whom ball i meets first, and whether it is the first that others meet.
+    void look_for_hits(int i) {
+        if (count() == 1) return;
+        look_again(i);
+        for (int j = 0; j < count(); ++j) {
+            if (j == i) continue;
+            if (world_.outlooks[j].hit_ball == i || world_.outlooks[j].hit_ball < 0) look_again(j);
+        }
+        Outlook const mine = world_.outlooks[i];
+        if (mine.hit_ball < 0) return;
+        Outlook& other = world_.outlooks[mine.hit_ball];
+        if (mine.hit_time < other.hit_time) {
+            other.hit_time = mine.hit_time;
+            other.hit_ball = i;
+        }
+    }
+
+    void look_again(int i) {
+        Outlook& mine = world_.outlooks[i];
+        mine.hit_time = never;
+        mine.hit_ball = -1;
+        for (int j = 0; j < count(); ++j) {
+            if (j == i) continue;
+            double const until = std::min({world_.legs[i].until, world_.legs[j].until, mine.hit_time});
+            Encounter const met = encounter_of(world_.legs[i], world_.legs[j], reach(i, j), world_.time, until);
+            bool const earlier = met.time < mine.hit_time;
+            // What has not been searched to its end is looked at again where the search stopped.
+            if (met.meets && earlier) {
+                mine.hit_time = met.time;
+                mine.hit_ball = j;
+            } else if (!met.meets && met.time < until && earlier) {
+                mine.hit_time = met.time;
+                mine.hit_ball = -1;
+            }
+        }
+    }
+
+    // All pairs that close at this moment strike together. False when balls press on each other without closing.
+    bool hit(int i) {
+        if (world_.outlooks[i].hit_ball < 0) {
+            look_again(i);
+            return true;
+        }
+        if (!watched(i)) return false;
+        std::vector<Pair> const pairs = closing_pairs();
+        if (pairs.empty()) return false;
+        std::vector<State> states;
+        for (int b = 0; b < count(); ++b) states.push_back(at(world_.legs[b], world_.time));
+        strike_together(scene_.balls, pairs, states);
+        std::vector<int> touched;
+        for (Pair const& p : pairs) {
+            tell(EventKind::hit, p.a, states[p.a], no_contact, p.b);
+            touched.insert(touched.end(), {p.a, p.b});
+        }
+        std::sort(touched.begin(), touched.end());
+        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        for (int const b : touched) resolve(b, states[b], no_contact);
+        for (int const b : touched) look_for_hits(b);
+        return true;
+    }
+
+    std::vector<Pair> closing_pairs() const {
+        std::vector<Pair> pairs;
+        for (int a = 0; a < count(); ++a) {
+            int const b = world_.outlooks[a].hit_ball;
+            if (b < 0 || world_.outlooks[a].hit_time > world_.time + moment) continue;
+            Pair const pair{std::min(a, b), std::max(a, b)};
+            State const sa = at(world_.legs[pair.a], world_.time), sb = at(world_.legs[pair.b], world_.time);
+            double const speeds = geometry::length(sa.velocity) + geometry::length(sb.velocity);
+            if (!(closing_speed(sa, sb) > 1e-12 * speeds)) continue;
+            bool const known =
+                std::any_of(pairs.begin(), pairs.end(), [&](Pair const& p) { return p.a == pair.a && p.b == pair.b; });
+            if (!known) pairs.push_back(pair);
+        }
+        return pairs;
+    }
+
+    Scene const& scene_;
+    World& world_;
+    History& history_;
+};
+
+}  // namespace
+
+void begin_with(Exact const&, Scene const& scene, World& world, History& history) {
+    Timeline(scene, world, history).begin();
+}
+
+void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history) {
+    while (world.time < until) {
+        if (world.handed_over) {
+            step_handed_over(scene, world, history);
+            if (!is_apart(scene, world)) continue;
+            world.handed_over = false;
+            history.events.push_back(
+                {world.time, EventKind::takeover, 0, at(world.legs[0], world.time), world.legs[0].contact, -1});
+            Timeline(scene, world, history).begin_from(taken_back(scene, world));
+        } else if (!Timeline(scene, world, history).run(until)) {
+            hand_over(scene, world, history);
+        }
+    }
+}
+
+void force_with(Exact const&, Scene const& scene, World& world, Forces const& before, History& history) {
+    if (!world.handed_over) Timeline(scene, world, history).refresh(before);
+}
+
+}  // namespace physics

@@ -1,0 +1,234 @@
+// What becomes of a ball where it touches terrain: blows, then which contacts it keeps.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "physics/course_track.h"
+#include "physics/impact.h"
+#include "physics/ride.h"
+
+namespace physics {
+
+using geometry::dot;
+
+namespace {
+
+// Speeds along a normal below this share of the ball's speeds are rounding.
+constexpr double rounding_share = 1e-12;
+// Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series.
+constexpr int most_blows = 200;
+// A hop lower than this many radii is not seen: the rest of the bounces is summed (physics.md 2.13).
+constexpr double lowest_hop = 1e-15;
+// Normals nearer than this to parallel leave a ball free to move along both surfaces.
+constexpr double parallel = 1e-9;
+
+double rounding_of(Setting const& setting, State const& state) {
+    return rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
+}
+
+ContactSpeeds speeds_at(Setting const& setting, State const& state, Vec2 const& normal) {
+    return {dot(state.velocity, normal), dot(state.velocity, geometry::turned_right(normal)),
+            -setting.ball.radius * state.spin};
+}
+
+void set_speeds(Setting const& setting, State& state, Vec2 const& normal, ContactSpeeds const& speeds) {
+    state.velocity = speeds.normal * normal + speeds.tangent * geometry::turned_right(normal);
+    state.spin = -speeds.rim / setting.ball.radius;
+}
+
+// A ball among its supports, while blows change its state.
+struct Struck {
+    State state;
+    std::vector<Support> supports;
+    std::vector<Turnout::Happening> blows;
+    std::optional<std::size_t> gripped;  // the last support that stopped the slip, if nothing came after
+};
+
+void strike(Setting const& setting, Struck& struck, std::size_t i) {
+    Support const& support = struck.supports[i];
+    Material const& material = material_of(setting.terrain, support.contact.feature);
+    ContactSpeeds const before = speeds_at(setting, struck.state, support.normal);
+    ContactSpeeds const after = after_impact(before, material.restitution, material.friction, setting.ball.inertia);
+    set_speeds(setting, struck.state, support.normal, after);
+    struck.gripped = after.slip() == 0 ? std::optional(i) : std::nullopt;
+    EventKind const kind = after.normal > 0 ? EventKind::bounce : EventKind::land;
+    for (Turnout::Happening const& blow : struck.blows)
+        if (blow.contact == support.contact && blow.kind == kind) return;
+    struck.blows.push_back({kind, support.contact});
+}
+
+// Blows until nothing closes; what would go on for ever ends with the ball standing.
+void strike_all(Setting const& setting, Struck& struck) {
+    for (int blow = 0; blow < most_blows; ++blow) {
+        double worst = -rounding_of(setting, struck.state);
+        std::optional<std::size_t> closing;
+        for (std::size_t i = 0; i < struck.supports.size(); ++i) {
+            double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
+            if (normal_speed < worst) {
+                worst = normal_speed;
+                closing = i;
+            }
+        }
+        if (!closing) return;
+        strike(setting, struck, *closing);
+    }
+    struck.state.velocity = Vec2::Zero();
+}
+
+Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
+    Support const& support = struck.supports[i];
+    ContactSpeeds const speeds = speeds_at(setting, struck.state, support.normal);
+    Rider rider;
+    rider.contact = support.contact;
+    rider.track = track_of(setting.terrain, support.contact, setting.ball.radius);
+    rider.q = nearest_coordinate(rider.track, struck.state.position);
+    rider.speed = std::abs(speeds.tangent) <= rounding_of(setting, struck.state) ? 0 : speeds.tangent;
+    rider.rim =
+        std::abs(speeds.slip()) <= rounding_of(setting, struck.state) || struck.gripped == i ? rider.speed : speeds.rim;
+    rider.angle = struck.state.angle;
+    return rider;
+}
+
+// How fast the ball leaves the support, if so slowly that its bounces are summed; nothing if it flies.
+std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::size_t i) {
+    double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
+    if (normal_speed <= rounding_of(setting, struck.state)) return 0;
+    double const pressing = normal_force(setting, rider_on(setting, struck, i));
+    if (!(normal_speed * normal_speed < 2 * pressing * lowest_hop * setting.ball.radius)) return std::nullopt;
+    return normal_speed;
+}
+
+Turnout ride_from(Setting const& setting, Rider const& rider, double time) {
+    Turnout turnout;
+    if (!is_pressed(setting, rider)) {
+        turnout.course = flight_course(setting, state_of(setting, rider), time, rider.contact);
+        turnout.happenings.push_back({EventKind::lift, rider.contact});
+        return turnout;
+    }
+    Law const law = law_for(setting, rider, Onset::none);
+    turnout.ends = ends_of_track(setting.terrain, rider.contact, rider.track, rider.q, setting.ball.radius);
+    turnout.course = law.phase == Phase::rest ? standing_course(state_of(setting, rider), rider.contact, 0, time)
+                                              : track_course(setting, rider, law, turnout.ends, time);
+    if (law.phase == Phase::rest) turnout.happenings.push_back({EventKind::rest, rider.contact});
+    return turnout;
+}
+
+// The normal forces with which two supports hold a standing ball whose rim slides with `slip_sign` (0: it does not).
+struct Hold {
+    double first = 0, second = 0;
+};
+Hold hold_of(Setting const& setting, State const& state, Support const& a, Support const& b, double slip_sign) {
+    auto const push = [&](Support const& s) {
+        double const friction =
+            slip_sign == 0 ? 0 : material_of(setting.terrain, s.contact.feature).friction * slip_sign;
+        return Vec2(s.normal - friction * geometry::turned_right(s.normal));
+    };
+    Vec2 const p = push(a), q = push(b), load = -acceleration_in(setting.field, state.position, Vec2::Zero());
+    double const span = geometry::wedge(p, q);
+    return {geometry::wedge(load, q) / span, geometry::wedge(p, load) / span};
+}
+
+// A standing ball between two supports that hold it: at rest, or spinning until friction has stopped it
+// (physics.md 2.12).
+std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept,
+                              double time) {
+    double const rim = -setting.ball.radius * struck.state.spin;
+    double const slip_sign = rim < 0 ? 1 : rim > 0 ? -1 : 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        for (std::size_t j = i + 1; j < kept.size(); ++j) {
+            Support const& a = struck.supports[kept[i]];
+            Support const& b = struck.supports[kept[j]];
+            if (std::abs(geometry::wedge(a.normal, b.normal)) < parallel) continue;
+            double const mu_a = material_of(setting.terrain, a.contact.feature).friction;
+            double const mu_b = material_of(setting.terrain, b.contact.feature).friction;
+            State state = struck.state;
+            state.velocity = Vec2::Zero();
+            bool const grips_fully = std::isinf(mu_a) || std::isinf(mu_b);
+            if (grips_fully) state.spin = 0;
+            Hold const hold = hold_of(setting, state, a, b, grips_fully ? 0 : slip_sign);
+            if (!(hold.first >= 0 && hold.second >= 0)) continue;
+            double const rim_rate =
+                grips_fully ? 0 : slip_sign * (mu_a * hold.first + mu_b * hold.second) / setting.ball.inertia;
+            Turnout turnout;
+            turnout.course = standing_course(state, a.contact, -rim_rate / setting.ball.radius, time);
+            if (state.spin == 0) turnout.happenings.push_back({EventKind::rest, a.contact});
+            return turnout;
+        }
+    }
+    return std::nullopt;
+}
+
+// A standing ball that its supports do not hold goes along the one that leads it away from the others.
+Turnout way_out(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
+    for (std::size_t const i : kept) {
+        Rider const rider = rider_on(setting, struck, i);
+        if (!is_pressed(setting, rider)) continue;
+        double const force = normal_force(setting, rider);
+        Law const law = law_for(setting, rider, Onset::none);
+        double const a =
+            law.phase == Phase::rest ? 0 : law.alpha * tangent_acceleration(setting, rider) + law.beta * force;
+        Vec2 const way = (rider.speed != 0 ? rider.speed : a) * geometry::turned_right(struck.supports[i].normal);
+        bool free = true;
+        for (std::size_t const j : kept)
+            free = free && (j == i || dot(way, struck.supports[j].normal) >= -parallel * geometry::length(way));
+        if (free) return ride_from(setting, rider, time);
+    }
+    Turnout turnout;
+    turnout.course = flight_course(setting, struck.state, time, no_contact);
+    return turnout;
+}
+
+Turnout kept_turnout(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
+    if (kept.size() > 1) {
+        if (auto held = wedged(setting, struck, kept, time)) return *held;
+        return way_out(setting, struck, kept, time);
+    }
+    double const hop = *hop_on(setting, struck, kept.front());
+    Rider const rider = rider_on(setting, struck, kept.front());
+    if (hop == 0) return ride_from(setting, rider, time);
+    Turnout turnout;
+    turnout.course = settling_course(setting, rider, hop, time);
+    return turnout;
+}
+
+Struck struck_at(Setting const& setting, State const& state, Contact known) {
+    Struck struck{state, supports_at(setting.terrain, state.position, setting.ball.radius), {}, std::nullopt};
+    if (known.feature < 0 || !fits(setting.terrain, known, setting.ball.radius)) return struck;
+    for (Support const& s : struck.supports)
+        if (s.contact == known) return struck;
+    Track const track = track_of(setting.terrain, known, setting.ball.radius);
+    Vec2 const normal = normal_at(track, nearest_coordinate(track, state.position));
+    for (Support const& s : struck.supports)
+        if (geometry::length(s.normal - normal) <= touch_reach) return struck;
+    struck.supports.push_back({known, normal});
+    return struck;
+}
+
+// Two surfaces that are not parallel leave a ball that keeps to both no way to move.
+bool pins(Struck const& struck, std::vector<std::size_t> const& kept) {
+    for (std::size_t const i : kept)
+        for (std::size_t const j : kept)
+            if (std::abs(geometry::wedge(struck.supports[i].normal, struck.supports[j].normal)) >= parallel)
+                return true;
+    return false;
+}
+
+}  // namespace
+
+Turnout resolved(Setting const& setting, State const& state, double time, Contact known) {
+    Struck struck = struck_at(setting, state, known);
+    strike_all(setting, struck);
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < struck.supports.size(); ++i)
+        if (hop_on(setting, struck, i)) kept.push_back(i);
+    if (pins(struck, kept)) struck.state.velocity = Vec2::Zero();
+    Turnout turnout;
+    if (kept.empty())
+        turnout.course = flight_course(setting, struck.state, time, known);
+    else
+        turnout = kept_turnout(setting, struck, kept, time);
+    turnout.happenings.insert(turnout.happenings.begin(), struck.blows.begin(), struck.blows.end());
+    return turnout;
+}
+
+}  // namespace physics

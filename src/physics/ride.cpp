@@ -1,0 +1,163 @@
+#include "physics/ride.h"
+
+#include <cmath>
+
+#include "geometry/elementary.h"
+#include "physics/course_track.h"
+
+namespace physics {
+
+using geometry::dot;
+
+namespace {
+
+// Slip below this share of the speeds is rounding: the ball grips.
+constexpr double grip_share = 1e-12;
+
+double phi_at_end(CircleRun const& run, double t) {
+    double phi = 0;
+    for (int i = series_order; i >= 0; --i) phi = phi * t + run.series->phi[i];
+    return phi;
+}
+
+// A closed circle is run round more than once: q goes on counting.
+double coordinate_of(Track const& track, Leg const& leg, State const& state, double span) {
+    auto const* run = std::get_if<CircleRun>(&leg.motion);
+    if (run == nullptr || !track.closed) return nearest_coordinate(track, state.position);
+    return (track.phi0 - phi_at_end(*run, span)) * track.rho * track.sense;
+}
+
+// `span` seconds after the leg began.
+Rider rider_at(Setting const& setting, Leg const& leg, double span) {
+    State const state = at_span(leg, span);
+    Rider rider;
+    rider.contact = leg.contact;
+    rider.track = track_of(setting.terrain, leg.contact, setting.ball.radius);
+    rider.q = coordinate_of(rider.track, leg, state, span);
+    rider.speed = dot(state.velocity, geometry::turned_right(normal_at(rider.track, rider.q)));
+    rider.rim = leg.phase == Phase::roll ? rider.speed : -setting.ball.radius * state.spin;
+    rider.angle = state.angle;
+    return rider;
+}
+
+Turnout fly(Setting const& setting, State const& state, double since, Contact left) {
+    Turnout turnout;
+    turnout.course = flight_course(setting, state, since, left);
+    return turnout;
+}
+
+Turnout ride_with(Setting const& setting, Rider const& rider, TrackEnds const& ends, Law const& law, double since) {
+    Turnout turnout;
+    turnout.ends = ends;
+    turnout.course = law.phase == Phase::rest ? standing_course(state_of(setting, rider), rider.contact, 0, since)
+                                              : track_course(setting, rider, law, ends, since);
+    return turnout;
+}
+
+// On along the track, unless nothing presses the ball on it.
+Turnout ride(Setting const& setting, Rider const& rider, TrackEnds const& ends, Onset onset, double since) {
+    if (!is_pressed(setting, rider)) {
+        Turnout turnout = fly(setting, state_of(setting, rider), since, rider.contact);
+        turnout.happenings.push_back({EventKind::lift, rider.contact});
+        return turnout;
+    }
+    return ride_with(setting, rider, ends, law_for(setting, rider, onset), since);
+}
+
+Turnout ride_on_new_track(Setting const& setting, Rider const& rider, Onset onset, double since) {
+    TrackEnds const ends = ends_of_track(setting.terrain, rider.contact, rider.track, rider.q, setting.ball.radius);
+    return ride(setting, rider, ends, onset, since);
+}
+
+EventKind kind_of(Phase phase) {
+    return phase == Phase::rest ? EventKind::rest : phase == Phase::roll ? EventKind::grip : EventKind::slip;
+}
+
+Turnout with_happening(Turnout turnout, EventKind kind, Contact contact) {
+    turnout.happenings.insert(turnout.happenings.begin(), {kind, contact});
+    return turnout;
+}
+
+Turnout after_track(Setting const& setting, Leg const& leg, Outlook const& outlook) {
+    Rider rider = rider_at(setting, leg, outlook.duration);
+    rider.contact = outlook.next;
+    rider.track = track_of(setting.terrain, outlook.next, setting.ball.radius);
+    rider.q = outlook.next_q;
+    EventKind const kind = outlook.ending == Ending::joins ? EventKind::joint : EventKind::corner;
+    return with_happening(ride_on_new_track(setting, rider, Onset::none, leg.until), kind, outlook.next);
+}
+
+Turnout after_stop(Setting const& setting, Leg const& leg, Outlook const& outlook) {
+    Rider rider = rider_at(setting, leg, outlook.duration);
+    rider.speed = rider.rim = 0;
+    Turnout turnout = ride(setting, rider, outlook.ends, Onset::none, leg.until);
+    if (turnout.course.leg.phase == Phase::rest) turnout = with_happening(turnout, EventKind::rest, leg.contact);
+    return turnout;
+}
+
+Turnout after_settling(Setting const& setting, Leg const& leg, Outlook const& outlook) {
+    Rider rider = rider_at(setting, leg, outlook.duration);
+    if (std::abs(rider.slip()) <= grip_share * (std::abs(rider.speed) + std::abs(rider.rim))) rider.rim = rider.speed;
+    Turnout turnout = ride_on_new_track(setting, rider, Onset::none, leg.until);
+    return with_happening(turnout, kind_of(turnout.course.leg.phase), leg.contact);
+}
+
+Turnout after_spin(Setting const& setting, Leg const& leg, Outlook const& outlook) {
+    State state = at_span(leg, outlook.duration);
+    state.spin = 0;
+    Turnout turnout = resolved(setting, state, leg.until, leg.contact);
+    return with_happening(turnout, kind_of(turnout.course.leg.phase), leg.contact);
+}
+
+Turnout after_search(Setting const& setting, Leg const& leg, Outlook const& outlook) {
+    if (leg.phase != Phase::flight)
+        return ride(setting, rider_at(setting, leg, outlook.duration), outlook.ends, outlook.onset, leg.until);
+    Turnout turnout;
+    turnout.course = continued_flight(setting, leg, outlook.duration);
+    return turnout;
+}
+
+}  // namespace
+
+Turnout after_end(Setting const& setting, Leg const& leg, Outlook const& outlook) {
+    double const now = leg.until;
+    switch (outlook.ending) {
+        case Ending::none:
+        case Ending::goes_on:
+            return after_search(setting, leg, outlook);
+        case Ending::meets:
+            return resolved(setting, at_span(leg, outlook.duration), now, outlook.next);
+        case Ending::joins:
+        case Ending::turns:
+            return after_track(setting, leg, outlook);
+        case Ending::lifts:
+            return with_happening(fly(setting, at_span(leg, outlook.duration), now, leg.contact), EventKind::lift,
+                                  leg.contact);
+        case Ending::slips:
+            return with_happening(
+                ride(setting, rider_at(setting, leg, outlook.duration), outlook.ends, outlook.onset, now),
+                EventKind::slip, leg.contact);
+        case Ending::grips: {
+            Rider rider = rider_at(setting, leg, outlook.duration);
+            rider.rim = rider.speed;
+            return with_happening(ride(setting, rider, outlook.ends, Onset::none, now), EventKind::grip, leg.contact);
+        }
+        case Ending::stops:
+            return after_stop(setting, leg, outlook);
+        case Ending::settles:
+            return after_settling(setting, leg, outlook);
+        case Ending::spun_out:
+            return after_spin(setting, leg, outlook);
+    }
+    return {};
+}
+
+Turnout under_new_field(Setting const& setting, Leg const& leg, Outlook const& outlook, double time) {
+    bool const rides =
+        leg.phase == Phase::roll || (leg.phase == Phase::slide && !std::holds_alternative<Ballistic>(leg.motion));
+    if (rides) return ride(setting, rider_at(setting, leg, time - leg.since), outlook.ends, Onset::none, time);
+    if (leg.phase == Phase::flight && leg.contact.feature < 0) return fly(setting, at(leg, time), time, no_contact);
+    return resolved(setting, at(leg, time), time, leg.contact);
+}
+
+}  // namespace physics

@@ -1,0 +1,32 @@
+// Rides: how one ball goes on after an event: which contacts it keeps, in which phase, on which course.
+#pragma once
+
+#include <vector>
+
+#include "physics/course.h"
+#include "physics/world.h"
+
+namespace physics {
+
+// What a ball does next, and what happened to it on the way there.
+struct Turnout {
+    Course course;
+    TrackEnds ends;  // of the track, when it is on one
+    struct Happening {
+        EventKind kind = EventKind::land;
+        Contact contact;
+    };
+    std::vector<Happening> happenings;
+};
+
+// At the end of a leg, or of what has been searched of it.
+Turnout after_end(Setting const& setting, Leg const& leg, Outlook const& outlook);
+
+// At rest, in contact or in flight, in any state: blows with terrain that the ball closes on, then what it can keep.
+// `struck` is the contact that the caller knows to be touched, or no_contact.
+Turnout resolved(Setting const& setting, State const& state, double time, Contact struck);
+
+// The same ball at `time` in the middle of a leg, after the field has changed.
+Turnout under_new_field(Setting const& setting, Leg const& leg, Outlook const& outlook, double time);
+
+}  // namespace physics

@@ -1,0 +1,308 @@
+// Promises that only the exact method makes.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "geometry/elementary.h"
+#include "physics/exact.h"
+#include "physics/method.h"
+#include "physics/predict.h"
+
+namespace {
+
+using namespace physics;
+using geometry::Arc;
+using geometry::pi;
+using geometry::Segment;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+constexpr double full_grip = std::numeric_limits<double>::infinity();
+
+Piece line(double x1, double y1, double x2, double y2, Material const& material = {}) {
+    return {Segment{{x1, y1}, {x2, y2}}, material, 0};
+}
+
+Ball disc(double radius, Vec2 const& position, Vec2 const& velocity = Vec2::Zero(), double spin = 0) {
+    Ball ball;
+    ball.radius = radius;
+    ball.start = {position, velocity, 0, spin};
+    return ball;
+}
+
+struct Stage {
+    Scene scene;
+    History history;
+    World world;
+
+    Stage(std::vector<Piece> pieces, std::vector<Ball> balls, double gravity = 9.81) {
+        scene.terrain = terrain_of(std::move(pieces));
+        scene.balls = std::move(balls);
+        scene.gravity = gravity;
+        world = world_at_start(Exact{}, scene, history);
+    }
+    void to(double time) { REQUIRE_FALSE(advance(Exact{}, scene, world, time, history)); }
+    void pull(std::optional<Pull> const& pulled) {
+        Forces forces = world.forces;
+        forces.pull = pulled;
+        REQUIRE_FALSE(apply(Exact{}, scene, world, forces, history));
+    }
+    State now(int ball = 0) const { return at(world.legs[ball], world.time); }
+    int count(EventKind kind) const {
+        return static_cast<int>(std::count_if(history.events.begin(), history.events.end(),
+                                              [&](Event const& e) { return e.kind == kind; }));
+    }
+};
+
+bool same_bits(State const& a, State const& b) {
+    double const p[] = {a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), a.angle, a.spin};
+    double const q[] = {b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), b.angle, b.spin};
+    return std::memcmp(p, q, sizeof p) == 0;
+}
+
+// A course with a slope, an arc, a flat stretch, a step and a wall, and a ball that rolls, slips, flies and bounces.
+std::vector<Piece> course(double turn, Vec2 const& shift, double scale, double restitution) {
+    auto const [s, c] = geometry::sine_cosine(turn);
+    auto const put = [&](double x, double y) -> Vec2 { return shift + scale * geometry::turned(Vec2(x, y), c, s); };
+    auto const segment = [&](double x1, double y1, double x2, double y2) {
+        return Piece{Segment{put(x1, y1), put(x2, y2)}, {0.3, restitution, 0.01}, 0};
+    };
+    return {segment(-4, 4, 0, 1),
+            segment(0, 1, 3, 1),
+            Piece{Arc{put(3, 3), 2 * scale, turn - pi / 2, pi / 3}, {0.3, restitution, 0.01}, 0},
+            segment(6, 0, 12, 0),
+            segment(12, 0, 12, 6),
+            segment(-4, 4, -4, 8)};
+}
+
+double kinetic_and_potential(Ball const& ball, State const& s, double gravity) {
+    return ball.mass * (0.5 * geometry::dot(s.velocity, s.velocity) +
+                        0.5 * ball.inertia * ball.radius * ball.radius * s.spin * s.spin + gravity * s.position.y());
+}
+
+}  // namespace
+
+TEST_CASE("asking more often does not change a bit") {
+    auto const run = [](double every_inverse, double until) {
+        Stage stage(course(0, Vec2::Zero(), 1, 0.4), {disc(0.3, {-2, 5}, {1, 0})});
+        for (int i = 1; i <= until * every_inverse; ++i) {
+            stage.to(i / every_inverse);
+            if (i == every_inverse) stage.pull(Pull{0, {1, 4}});
+            if (i == 2 * every_inverse) stage.pull(std::nullopt);
+        }
+        return stage.now();
+    };
+    State const coarse = run(1, 9);
+    CHECK(same_bits(coarse, run(24, 9)));
+    CHECK(same_bits(coarse, run(1000, 9)));
+}
+
+TEST_CASE("a scene far from the origin takes the same path") {
+    // Doubles at 1e5 m are 1.5e-11 m apart; bounces and slip multiply that a little: 1e-9 r (physics.md 5, T15).
+    Vec2 const away(1e5, -1e5);
+    Stage here(course(0, Vec2::Zero(), 1, 0), {disc(0.5, {-2, 4.2})});
+    Stage there(course(0, away, 1, 0), {disc(0.5, Vec2(-2, 4.2) + away)});
+    for (int i = 1; i <= 100; ++i) {
+        here.to(0.05 * i);
+        there.to(0.05 * i);
+        CHECK(geometry::length(there.now().position - away - here.now().position) <= 1e-9);
+    }
+}
+
+TEST_CASE("a turned and scaled copy moves the same") {
+    // Lengths by s^2 at the same times scale with s if gravity does too; nothing but rounding differs: 1e-9.
+    double const turn = 0.3, scale = 4;
+    Stage plain(course(0, Vec2::Zero(), 1, 0.2), {disc(0.5, {-2, 4.2})});
+    auto const [s, c] = geometry::sine_cosine(turn);
+    Stage copy(course(turn, Vec2(7, 3), scale, 0.2),
+               {disc(0.5 * scale, Vec2(7, 3) + scale * geometry::turned(Vec2(-2, 4.2), c, s))}, 9.81 * scale);
+    Forces tilted;
+    tilted.tilt = turn;
+    REQUIRE_FALSE(apply(Exact{}, copy.scene, copy.world, tilted, copy.history));
+    for (int i = 1; i <= 50; ++i) {
+        plain.to(0.1 * i);
+        copy.to(0.1 * i);
+        Vec2 const expected = Vec2(7, 3) + scale * geometry::turned(plain.now().position, c, s);
+        CHECK(geometry::length(copy.now().position - expected) <= 1e-9);
+        CHECK(std::abs(copy.now().angle - plain.now().angle) <= 1e-9);
+    }
+}
+
+TEST_CASE("elastic bounces among fixed discs: no overlap, no drift of energy") {
+    Material const elastic{0, 1, 0};
+    std::vector<Piece> pieces{line(0, 0, 8, 0, elastic), line(8, 0, 8, 6, elastic), line(8, 6, 0, 6, elastic),
+                              line(0, 6, 0, 0, elastic)};
+    for (int i = 0; i < 8; ++i)
+        pieces.push_back({Arc{{1.5 + 1.7 * (i % 4), 2.0 + 2.1 * (i / 4)}, 0.3 + 0.04 * i, 0, 2 * pi}, elastic, 0});
+    Stage stage(pieces, {disc(0.2, {0.6, 0.7}, {3.1, 2.3}, 1)}, 0);
+    double const before = kinetic_and_potential(stage.scene.balls[0], stage.now(), 0);
+    long long const wanted = sanitized ? 20'000 : 2'000'000;
+    long long bounces = 0;
+    double deepest = 0;
+    for (double t = 100; bounces < wanted; t += 100) {
+        stage.to(t);
+        for (Event const& event : stage.history.events) {
+            REQUIRE(event.kind == EventKind::bounce);
+            ++bounces;
+            for (Piece const& piece : stage.scene.terrain.pieces)
+                deepest = std::max(deepest, 0.2 - geometry::nearest_point(piece.curve, event.state.position).distance);
+        }
+        forget_before(stage.history, t);
+        stage.history.events.clear();
+    }
+    CHECK(deepest <= 1e-11);
+    CHECK(std::abs(kinetic_and_potential(stage.scene.balls[0], stage.now(), 0) / before - 1) <= 1e-9);
+}
+
+TEST_CASE("bounces that never end come to rest at their limit") {
+    // Total time sqrt(2h/g)(1+e)/(1-e) (physics.md 2.13).
+    for (double const e : {0.35, 0.8, 0.99}) {
+        CAPTURE(e);
+        double const height = 1.3;
+        Stage stage({line(-5, 0, 5, 0, {0.7, e, 0})}, {disc(0.5, {0, 0.5 + height})});
+        double const rest = std::sqrt(2 * height / 9.81) * (1 + e) / (1 - e);
+        stage.to(rest + 1);
+        CHECK(stage.history.events.back().kind == EventKind::rest);
+        CHECK(std::abs(stage.history.events.back().time - rest) <= 1e-9);
+        CHECK(stage.history.events.size() <= 5000);
+        CHECK(stage.now().velocity == Vec2::Zero());
+    }
+}
+
+TEST_CASE("ten minutes at rest leave every bit where it was") {
+    std::vector<Piece> const groove{line(-3, 3, 0, 0), line(0, 0, 3, 3)};
+    Stage stage(groove, {disc(0.5, {0, 0.5 * std::sqrt(2.0)})});
+    State const before = stage.now();
+    stage.to(600);
+    CHECK(same_bits(before, stage.now()));
+    CHECK(stage.world.legs[0].phase == Phase::rest);
+}
+
+TEST_CASE("five touching balls pass the blow to the last, in either order of creation") {
+    for (bool const reversed : {false, true}) {
+        std::vector<Ball> balls{disc(0.5, {-3, 0.5}, {2, 0})};
+        for (int i = 0; i < 5; ++i) balls.push_back(disc(0.5, {1.0 * i, 0.5}));
+        for (Ball& ball : balls) {
+            ball.restitution = 1;
+            ball.friction = 0;
+        }
+        if (reversed) std::reverse(balls.begin(), balls.end());
+        Stage stage({line(-50, 0, 50, 0, {0, 0, 0})}, balls);
+        stage.to(2);
+        for (int i = 0; i < 6; ++i) {
+            double const expected = i == (reversed ? 0 : 5) ? 2 : 0;
+            CHECK(std::abs(stage.now(i).velocity.x() - expected) <= 1e-12);
+        }
+        CHECK(stage.count(EventKind::handover) == 0);
+    }
+}
+
+TEST_CASE("a ball that strikes two at once throws them apart symmetrically") {
+    // Elastic, no friction: the two leave along the lines of centres with J = 2 v cos / (1 + 2 cos^2), from momentum
+    // and energy.
+    Ball striker = disc(0.5, {-2, 0}, {3, 0});
+    Ball upper = disc(0.5, {1, 0.5}), lower = disc(0.5, {1, -0.5});
+    std::vector<Ball> balls{striker, upper, lower};
+    for (Ball& ball : balls) {
+        ball.restitution = 1;
+        ball.friction = 0;
+    }
+    Stage stage({}, balls, 0);
+    stage.to(2);
+    double const cosine = std::sqrt(0.75);
+    double const speed = 2 * 3 * cosine / (1 + 2 * cosine * cosine);
+    CHECK(stage.now(1).velocity.x() == doctest::Approx(speed * cosine).epsilon(1e-12));
+    CHECK(stage.now(2).velocity.x() == doctest::Approx(speed * cosine).epsilon(1e-12));
+    CHECK(std::abs(stage.now(1).velocity.y() + stage.now(2).velocity.y()) <= 1e-12);
+    CHECK(stage.now(0).velocity.x() == doctest::Approx(3 - 2 * speed * cosine).epsilon(1e-11));
+}
+
+TEST_CASE("balls that come to rest on each other are handed over, and taken back when apart") {
+    // Three lie in a pyramid and roll apart, each on its way.
+    std::vector<Ball> balls{disc(0.3, {-0.3, 0.3}), disc(0.3, {0.3, 0.3}), disc(0.3, {0, 0.3 + 0.3 * std::sqrt(3.0)})};
+    for (Ball& ball : balls) ball.friction = 0;
+    Stage stage({line(-50, 0, 50, 0)}, balls);
+    int const count = static_cast<int>(balls.size());
+    double before = 0, after = 0;
+    for (int i = 0; i < count; ++i) before += kinetic_and_potential(balls[i], stage.now(i), 9.81);
+    stage.to(10);
+    for (int i = 0; i < count; ++i) after += kinetic_and_potential(balls[i], stage.now(i), 9.81);
+    CHECK(stage.count(EventKind::handover) >= 1);
+    CHECK(stage.count(EventKind::takeover) >= 1);
+    CHECK(after <= before);
+    for (int i = 0; i < count; ++i) CHECK(stage.now(i).position.y() > 0.29);
+}
+
+TEST_CASE("what is predicted comes true to the bit") {
+    Stage stage(course(0, Vec2::Zero(), 1, 0.4), {disc(0.3, {-2, 5}, {1, 0})});
+    stage.to(0.7);
+    History const ahead = predicted(Exact{}, stage.scene, stage.world, 6);
+    for (double const t : {1.0, 2.5, 4.0, 6.5}) {
+        stage.to(t);
+        CHECK(same_bits(state_at(ahead, 0, t), stage.now()));
+    }
+}
+
+TEST_CASE("the state at an earlier time is read from the history") {
+    Stage stage(course(0, Vec2::Zero(), 1, 0.4), {disc(0.3, {-2, 5}, {1, 0})});
+    std::vector<State> seen;
+    for (int i = 1; i <= 40; ++i) {
+        stage.to(0.2 * i);
+        seen.push_back(stage.now());
+    }
+    for (int i = 1; i <= 40; ++i)
+        CHECK(geometry::length(state_at(stage.history, 0, 0.2 * i).position - seen[i - 1].position) <= 1e-12);
+}
+
+TEST_CASE("nothing passes a line however fast it comes") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> angle(-1.5, 1.5), exponent(0, 5);
+    for (int i = 0; i < (sanitized ? 2'000 : 100'000); ++i) {
+        double const a = angle(random), speed = std::pow(10, exponent(random));
+        Stage stage({line(0, -1e6, 0, 1e6, {0.5, 0.3, 0})},
+                    {disc(0.5, {-1, 0}, {speed * std::cos(a), speed * std::sin(a)})}, 0);
+        stage.to(1);
+        REQUIRE(stage.now().position.x() <= -0.5 + 1e-9);
+    }
+}
+
+TEST_CASE("numbers that are not finite are refused and change nothing") {
+    Stage stage({line(-5, 0, 5, 0)}, {disc(0.5, {0, 2})});
+    stage.to(0.1);
+    State const before = stage.now();
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(advance(Exact{}, stage.scene, stage.world, nan, stage.history));
+    CHECK(advance(Exact{}, stage.scene, stage.world, full_grip, stage.history));
+    CHECK_FALSE(advance(Exact{}, stage.scene, stage.world, 0.1, stage.history));
+    CHECK_FALSE(advance(Exact{}, stage.scene, stage.world, -5, stage.history));
+    Forces broken;
+    broken.tilt = nan;
+    CHECK(apply(Exact{}, stage.scene, stage.world, broken, stage.history));
+    broken.tilt = 0;
+    broken.pull = Pull{0, {nan, 0}};
+    CHECK(apply(Exact{}, stage.scene, stage.world, broken, stage.history));
+    broken.pull = Pull{7, {0, 0}};
+    CHECK(apply(Exact{}, stage.scene, stage.world, broken, stage.history));
+    CHECK(same_bits(before, stage.now()));
+}
+
+TEST_CASE("starts and targets of any size end, and stay finite") {
+    for (double const size : {1e-300, 1e-9, 1.0, 1e6, 1e300}) {
+        CAPTURE(size);
+        Stage stage({line(-5, 0, 5, 0), line(5, 0, 5, 5), line(-5, 0, -5, 5)}, {disc(0.5, {0, 0.5})});
+        stage.pull(Pull{0, {size, size}});
+        stage.to(2);
+        stage.pull(std::nullopt);
+        stage.to(10);
+        CHECK(geometry::is_finite(stage.now().position));
+        CHECK(stage.now().position.y() >= 0.5 - 1e-9);
+    }
+}
