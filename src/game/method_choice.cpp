@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 
+#include "physics/exact.h"
+#include "physics/needs.h"
+
 namespace game {
 
 bool is_method_name(std::string const& name) {
@@ -14,16 +17,20 @@ std::optional<std::string> objection_to(MethodWish const& wish) {
     if (!wish.name) return std::nullopt;
     if (!is_method_name(*wish.name))
         return "unknown method \"" + *wish.name + "\": choose one of auto, article, steps, exact";
-    if (*wish.name == "exact") return "the method \"exact\" is not part of this version yet: choose steps or article";
     return std::nullopt;
 }
 
-physics::Method method_for(MethodWish const& wish, physics::Scene const&) {
+physics::Method method_for(MethodWish const& wish, physics::Scene const& scene) {
     if (auto const objection = objection_to(wish)) throw std::runtime_error(*objection);
     if (wish.name == "article") {
         physics::Article article;
         article.rate = wish.rate.value_or(article.rate);
         return article;
+    }
+    if (wish.name == "exact") return physics::Exact{};
+    if (wish.name.value_or("auto") == "auto") {
+        physics::Method const chosen = physics::choice_for(scene).method;
+        if (!std::holds_alternative<physics::Steps>(chosen)) return chosen;
     }
     physics::Steps steps;
     steps.rate = wish.rate.value_or(steps.rate);
@@ -31,7 +38,12 @@ physics::Method method_for(MethodWish const& wish, physics::Scene const&) {
 }
 
 double rate_of(physics::Method const& method) {
-    return std::visit([](auto const& stepping) { return stepping.rate; }, method);
+    struct Rates {
+        double operator()(physics::Article const& article) const { return article.rate; }
+        double operator()(physics::Steps const& steps) const { return steps.rate; }
+        double operator()(physics::Exact const&) const { return physics::handover_rate; }
+    };
+    return std::visit(Rates{}, method);
 }
 
 }  // namespace game

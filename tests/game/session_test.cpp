@@ -197,12 +197,17 @@ TEST_CASE("the state's hash is FNV-1a of its little-endian doubles") {
           "2aed326b57bffd4b");
 }
 
-TEST_CASE("a method that this version does not have is objected to, and auto can be had") {
-    CHECK(game::objection_to({"exact", std::nullopt}).value().find("exact") != std::string::npos);
+TEST_CASE("a method nobody knows is objected to; auto is exact, but for piles") {
     CHECK(game::objection_to({"guess", std::nullopt}));
     CHECK(game::objection_to({std::nullopt, 0.0}));
     CHECK(game::objection_to({std::nullopt, std::nan("")}));
     CHECK_FALSE(game::objection_to({"article", 60.0}));
+    CHECK_FALSE(game::objection_to({"exact", std::nullopt}));
     CHECK(game::rate_of(game::method_for({"article", 60.0}, {})) == 60);
-    CHECK(std::string(physics::name_of(game::method_for({"auto", std::nullopt}, {}))) == "steps");
+    physics::Scene scene;
+    scene.balls.resize(3);
+    CHECK(std::string(physics::name_of(game::method_for({"auto", std::nullopt}, scene))) == "exact");
+    scene.balls.resize(30);
+    CHECK(std::string(physics::name_of(game::method_for({"auto", 120.0}, scene))) == "steps");
+    CHECK(game::rate_of(game::method_for({"auto", 120.0}, scene)) == 120);
 }
