@@ -18,7 +18,7 @@ ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, doub
         after.rim = after.tangent;
         return after;
     }
-    double const impulse = std::copysign(friction * (1 + restitution) * before.normal, before.slip());
+    double const impulse = -std::copysign(friction * (1 + restitution) * before.normal, before.slip());
     after.tangent += impulse;
     after.rim -= impulse / inertia;
     return after;
