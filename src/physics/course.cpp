@@ -16,6 +16,13 @@ State state_of(Setting const& setting, Rider const& rider) {
     return state;
 }
 
+Rider held_by_full_grip(Setting const& setting, Rider rider) {
+    double const k = setting.ball.inertia;
+    if (rider.slip() == 0 || std::isfinite(material_of(setting.terrain, rider.contact.feature).friction)) return rider;
+    rider.speed = rider.rim = (rider.speed + k * rider.rim) / (1 + k);
+    return rider;
+}
+
 namespace {
 
 // Components smaller than this share of the field are rounding of its direction: a level floor is level.

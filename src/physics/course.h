@@ -35,6 +35,9 @@ struct Rider {
 };
 State state_of(Setting const& setting, Rider const& rider);
 
+// The rider on a surface of full grip, which ends its slip at once by an impulse at the rim; as it is on any other.
+Rider held_by_full_grip(Setting const& setting, Rider rider);
+
 // Components of the field's acceleration where the rider is, and the normal force per mass (physics.md 2.6).
 double tangent_acceleration(Setting const& setting, Rider const& rider);
 double normal_force(Setting const& setting, Rider const& rider);

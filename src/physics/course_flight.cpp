@@ -29,9 +29,9 @@ Course continued_flight(Setting const& setting, Leg const& leg, double searched)
     }
     Contact const left = searched == 0 ? leg.contact : no_contact;
     Obstacle const found = first_obstacle(setting.terrain, leg, setting.ball.radius, searched, searched + window, left);
-    course.duration = std::min(found.time, searched + window);
+    course.duration = found.time;
     course.leg.until = leg.since + course.duration;
-    course.ending = found.time <= searched + window ? Ending::meets : Ending::goes_on;
+    course.ending = found.contact.feature >= 0 ? Ending::meets : Ending::goes_on;
     course.next = found.contact;
     return course;
 }

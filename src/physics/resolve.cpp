@@ -22,10 +22,6 @@ constexpr double lowest_hop = 1e-15;
 // Normals nearer than this to parallel leave a ball free to move along both surfaces.
 constexpr double parallel = 1e-9;
 
-double rounding_of(Setting const& setting, State const& state) {
-    return rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
-}
-
 ContactSpeeds speeds_at(Setting const& setting, State const& state, Vec2 const& normal) {
     return {dot(state.velocity, normal), dot(state.velocity, geometry::turned_right(normal)),
             -setting.ball.radius * state.spin};
@@ -41,6 +37,7 @@ struct Struck {
     State state;
     std::vector<Support> supports;
     std::vector<Turnout::Happening> blows;
+    double rounding = 0;                 // m/s: slower than this, after what happens here, is not moving
     std::optional<std::size_t> gripped;  // the last support that stopped the slip, if nothing came after
 };
 
@@ -60,7 +57,7 @@ void strike(Setting const& setting, Struck& struck, std::size_t i) {
 // Blows until nothing closes; what would go on for ever ends with the ball standing.
 void strike_all(Setting const& setting, Struck& struck) {
     for (int blow = 0; blow < most_blows; ++blow) {
-        double worst = -rounding_of(setting, struck.state);
+        double worst = -struck.rounding;
         std::optional<std::size_t> closing;
         for (std::size_t i = 0; i < struck.supports.size(); ++i) {
             double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
@@ -82,9 +79,9 @@ Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
     rider.contact = support.contact;
     rider.track = track_of(setting.terrain, support.contact, setting.ball.radius);
     rider.q = nearest_coordinate(rider.track, struck.state.position);
-    rider.speed = std::abs(speeds.tangent) <= rounding_of(setting, struck.state) ? 0 : speeds.tangent;
+    rider.speed = std::abs(speeds.tangent) <= struck.rounding ? 0 : speeds.tangent;
     rider.rim =
-        std::abs(speeds.slip()) <= rounding_of(setting, struck.state) || struck.gripped == i ? rider.speed : speeds.rim;
+        std::abs(speeds.slip()) <= struck.rounding || struck.gripped == i ? rider.speed : speeds.rim;
     rider.angle = struck.state.angle;
     return rider;
 }
@@ -92,19 +89,20 @@ Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
 // How fast the ball leaves the support, if so slowly that its bounces are summed; nothing if it flies.
 std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::size_t i) {
     double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
-    if (normal_speed <= rounding_of(setting, struck.state)) return 0;
+    if (normal_speed <= struck.rounding) return 0;
     double const pressing = normal_force(setting, rider_on(setting, struck, i));
     if (!(normal_speed * normal_speed < 2 * pressing * lowest_hop * setting.ball.radius)) return std::nullopt;
     return normal_speed;
 }
 
-Turnout ride_from(Setting const& setting, Rider const& rider, double time) {
+Turnout ride_from(Setting const& setting, Rider const& free_rider, double time) {
     Turnout turnout;
-    if (!is_pressed(setting, rider)) {
-        turnout.course = flight_course(setting, state_of(setting, rider), time, rider.contact);
-        turnout.happenings.push_back({EventKind::lift, rider.contact});
+    if (!is_pressed(setting, free_rider)) {
+        turnout.course = flight_course(setting, state_of(setting, free_rider), time, free_rider.contact);
+        turnout.happenings.push_back({EventKind::lift, free_rider.contact});
         return turnout;
     }
+    Rider const rider = held_by_full_grip(setting, free_rider);
     Law const law = law_for(setting, rider, Onset::none);
     turnout.ends = ends_of_track(setting.terrain, rider.contact, rider.track, rider.q, setting.ball.radius);
     turnout.course = law.phase == Phase::rest ? standing_course(state_of(setting, rider), rider.contact, 0, time)
@@ -133,7 +131,8 @@ Hold hold_of(Setting const& setting, State const& state, Support const& a, Suppo
 std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept,
                               double time) {
     double const rim = -setting.ball.radius * struck.state.spin;
-    double const slip_sign = rim < 0 ? 1 : rim > 0 ? -1 : 0;
+    bool const spins = std::abs(rim) > struck.rounding;
+    double const slip_sign = !spins ? 0 : rim < 0 ? 1 : -1;
     for (std::size_t i = 0; i < kept.size(); ++i) {
         for (std::size_t j = i + 1; j < kept.size(); ++j) {
             Support const& a = struck.supports[kept[i]];
@@ -144,7 +143,7 @@ std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std:
             State state = struck.state;
             state.velocity = Vec2::Zero();
             bool const grips_fully = std::isinf(mu_a) || std::isinf(mu_b);
-            if (grips_fully) state.spin = 0;
+            if (grips_fully || !spins) state.spin = 0;
             Hold const hold = hold_of(setting, state, a, b, grips_fully ? 0 : slip_sign);
             if (!(hold.first >= 0 && hold.second >= 0)) continue;
             double const rim_rate =
@@ -156,6 +155,22 @@ std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std:
         }
     }
     return std::nullopt;
+}
+
+// No way out: the ball jams if anything presses on it, else it flies.
+Turnout stuck(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
+    Turnout turnout;
+    for (std::size_t const i : kept) {
+        if (!is_pressed(setting, rider_on(setting, struck, i))) continue;
+        State still = struck.state;
+        still.velocity = Vec2::Zero();
+        still.spin = 0;
+        turnout.course = standing_course(still, struck.supports[i].contact, 0, time);
+        turnout.happenings.push_back({EventKind::rest, struck.supports[i].contact});
+        return turnout;
+    }
+    turnout.course = flight_course(setting, struck.state, time, no_contact);
+    return turnout;
 }
 
 // A standing ball that its supports do not hold goes along the one that leads it away from the others.
@@ -173,9 +188,7 @@ Turnout way_out(Setting const& setting, Struck const& struck, std::vector<std::s
             free = free && (j == i || dot(way, struck.supports[j].normal) >= -parallel * geometry::length(way));
         if (free) return ride_from(setting, rider, time);
     }
-    Turnout turnout;
-    turnout.course = flight_course(setting, struck.state, time, no_contact);
-    return turnout;
+    return stuck(setting, struck, kept, time);
 }
 
 Turnout kept_turnout(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
@@ -192,7 +205,9 @@ Turnout kept_turnout(Setting const& setting, Struck const& struck, std::vector<s
 }
 
 Struck struck_at(Setting const& setting, State const& state, Contact known) {
-    Struck struck{state, supports_at(setting.terrain, state.position, setting.ball.radius), {}, std::nullopt};
+    double const rounding =
+        rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
+    Struck struck{state, supports_at(setting.terrain, state.position, setting.ball.radius), {}, rounding, std::nullopt};
     if (known.feature < 0 || !fits(setting.terrain, known, setting.ball.radius)) return struck;
     for (Support const& s : struck.supports)
         if (s.contact == known) return struck;

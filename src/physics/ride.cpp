@@ -61,7 +61,8 @@ Turnout ride(Setting const& setting, Rider const& rider, TrackEnds const& ends, 
         turnout.happenings.push_back({EventKind::lift, rider.contact});
         return turnout;
     }
-    return ride_with(setting, rider, ends, law_for(setting, rider, onset), since);
+    Rider const held = held_by_full_grip(setting, rider);
+    return ride_with(setting, held, ends, law_for(setting, held, onset), since);
 }
 
 Turnout ride_on_new_track(Setting const& setting, Rider const& rider, Onset onset, double since) {

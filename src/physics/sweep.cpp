@@ -38,13 +38,19 @@ double rate_scale_of(Parabola const& path) {
 }
 
 // Calls visit(t) at every fall of the quartic within `until` until it says true; there are at most two.
+// `touch_gap` is the value of the gap that touch_reach comes to.
 template <typename Visit>
-void each_fall(Quartic gap, double until, Visit&& visit) {
+void each_fall(Quartic gap, double touch_gap, double until, Visit&& visit) {
     double start = 0;
     for (int i = 0; i < 4 && start <= until; ++i) {
         if (gap[0] < 0) {
             auto const rise = geometry::first_rise(gap, until - start);
-            if (!rise) return;
+            if (!rise) {
+                // A path that joins a curve with its tangent only just comes up to it.
+                auto const crest = geometry::first_fall(gap, until - start);
+                if (crest && geometry::value_at(gap, *crest) >= -touch_gap) visit(start + *crest);
+                return;
+            }
             start += *rise;
             double const t = *rise;
             gap = {0.0, gap[1] + t * (2 * gap[2] + t * (3 * gap[3] + t * 4 * gap[4])),
@@ -120,8 +126,10 @@ private:
     static std::optional<double> fall_of(std::array<double, 3> const& gap, double until) {
         if (gap[0] >= 0) return geometry::first_quadratic_fall(gap[0], gap[1], gap[2], until);
         double const discriminant = gap[1] * gap[1] - 4 * gap[0] * gap[2];
-        if (!(gap[2] < 0 && gap[1] > 0 && discriminant > 0)) return std::nullopt;
-        double const t = (gap[1] + std::sqrt(discriminant)) / (-2 * gap[2]);
+        if (!(gap[2] < 0 && gap[1] > 0)) return std::nullopt;
+        // A path that joins the line with its tangent only just comes up to it.
+        if (discriminant < 4 * gap[2] * touch_reach) return std::nullopt;
+        double const t = (gap[1] + std::sqrt(std::max(0.0, discriminant))) / (-2 * gap[2]);
         return t <= until ? std::optional(t) : std::nullopt;
     }
 
@@ -157,7 +165,7 @@ private:
         for (double& c : gap) c *= sense;
         snap(gap, 2 * rho, rates_, is_left(contact));
         bool const grazes = gap[0] == 0 && gap[1] == 0;
-        each_fall(gap, std::min(until, first.time), [&](double t) {
+        each_fall(gap, 2 * rho * touch_reach, std::min(until, first.time), [&](double t) {
             // Touching without closing, look a moment ahead: at an end the ball may be running off the arc.
             double const speed = geometry::length(path_.velocity);
             double const ahead = grazes && t == 0 && speed > 0 ? 4 * touch_reach / speed : 0;

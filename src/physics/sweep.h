@@ -37,7 +37,8 @@ struct Skipped {
 Obstacle first_obstacle(Terrain const& terrain, Parabola const& path, double radius, double until, Contact left,
                         Skipped const& skipped);
 
-// The same for flight on the drag spring, from leg.since to leg.since + until (finite).
+// The same for flight on the drag spring, between `from` and `until` seconds (finite) after the leg began. Without a
+// contact the time is how far has been searched.
 Obstacle first_obstacle(Terrain const& terrain, Leg const& spring_flight, double radius, double from, double until,
                         Contact left);
 

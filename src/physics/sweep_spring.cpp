@@ -14,6 +14,10 @@ namespace {
 
 constexpr double gap_accuracy = 1e-13;  // m, how near counts as met
 constexpr int advancement_cap = 4000;   // steps; a grazing hit takes a few hundred
+// Shares of the spring's time 1/omega: a ball that lifts by acceleration alone goes on lifting for the first, and no
+// path bends back by more than gap_accuracy in the second.
+constexpr double lifting = 1e-3;
+constexpr double blink = 1e-6;
 
 // A time in which a gap that closes at `closing` with its rate of closing growing by at most `bound` stays open.
 double open_time(double gap, double closing, double bound) {
@@ -39,6 +43,31 @@ struct SpringSweep {
         if (std::holds_alternative<geometry::Segment>(curve)) return open_time(gap, -rate_from(nearest, state), bound);
         double const whole = open_time(gap, geometry::length(state.velocity), bound);
         return std::max(whole, safe_time_to_circle(std::get<Arc>(curve), state));
+    }
+
+    // Whether a ball that touches without closing is pushed on by what it will have done a little later.
+    bool presses(int piece, double t, double later) const {
+        auto const distance = [&](double time) {
+            State const state = at(leg, leg.since + time);
+            return geometry::nearest_point(terrain.pieces[piece].curve, state.position).distance;
+        };
+        return distance(t + later) < distance(t) - gap_accuracy;
+    }
+
+    // The second derivative of the distance to the piece from where the ball is, the curve's own bend included.
+    double bending(int piece, Vec2 const& normal, State const& state) const {
+        auto const& flight = std::get<SpringFlight>(leg.motion);
+        Vec2 const acceleration = flight.oscillator.stiffness * (flight.equilibrium - state.position) -
+                                  2 * flight.oscillator.decay * state.velocity;
+        double const straight = dot(acceleration, normal);
+        double const speed_along = geometry::wedge(normal, state.velocity);
+        geometry::Nearest const nearest = geometry::nearest_point(terrain.pieces[piece].curve, state.position);
+        if (!nearest.inside) return straight + speed_along * speed_along / radius;
+        auto const* arc = std::get_if<Arc>(&terrain.pieces[piece].curve);
+        if (arc == nullptr) return straight;
+        Vec2 const out = state.position - arc->centre;
+        double const distance = geometry::length(out);
+        return straight + std::copysign(speed_along * speed_along / distance, dot(out, normal));
     }
 
     static double rate_from(geometry::Nearest const& nearest, State const& state) {
@@ -83,15 +112,6 @@ struct SpringSweep {
     }
 };
 
-// Having just left a contact without a gap, the time until which the ball surely moves away from it.
-double parting_time(Leg const& leg, Vec2 const& normal, double from, double bound, double frequency) {
-    State const state = at(leg, from);
-    double const rate = dot(state.velocity, normal);
-    if (rate > 0) return bound > 0 ? rate / bound : never;
-    // It lifts by acceleration alone, which changes little in a thousandth of the spring's time.
-    return 1e-3 / frequency;
-}
-
 }  // namespace
 
 Obstacle first_obstacle(Terrain const& terrain, Leg const& spring_flight, double radius, double from, double until,
@@ -104,11 +124,15 @@ Obstacle first_obstacle(Terrain const& terrain, Leg const& spring_flight, double
     Vec2 const reach =
         Vec2::Constant(std::min(speed * span, geometry::length(start.velocity) * span + 0.5 * bound * span * span) +
                        radius + touch_reach);
-    Obstacle first;
+    Obstacle first{until, no_contact};
     double const frequency = std::sqrt(std::get<SpringFlight>(spring_flight.motion).oscillator.stiffness);
     terrain.tree.each_overlapping({start.position - reach, start.position + reach}, [&](int piece) {
         double t = from;
-        for (int i = 0; i < advancement_cap && t < std::min(until, first.time); ++i) {
+        for (int i = 0; t < first.time; ++i) {
+            if (i == advancement_cap) {
+                first = {t, no_contact};
+                return;
+            }
             State const state = at(spring_flight, spring_flight.since + t);
             geometry::Nearest const nearest = geometry::nearest_point(terrain.pieces[piece].curve, state.position);
             double const gap = nearest.distance - radius;
@@ -116,11 +140,19 @@ Obstacle first_obstacle(Terrain const& terrain, Leg const& spring_flight, double
             if (gap <= (t == 0 ? touch_reach : gap_accuracy)) {
                 Vec2 const normal = (state.position - nearest.point) / nearest.distance;
                 double const rate = dot(state.velocity, normal);
-                if (rate < 0 && !(at_left && rate > -1e-12 * speed)) {
+                bool const still = std::abs(rate) <= 1e-12 * speed;
+                if (still ? !at_left && sweep.presses(piece, t, lifting / frequency) : rate < 0) {
                     first = {t, sweep.contact_with(piece, state)};
                     return;
                 }
-                t += std::max(parting_time(spring_flight, normal, spring_flight.since + t, bound, frequency), 1e-9);
+                double const bend = sweep.bending(piece, normal, state);
+                double const hop = bend < 0 && rate > 0 ? -2 * rate / bend : never;
+                if (t == 0 && hop < lifting / frequency) {
+                    // So short a hop is a parabola to rounding; conservative steps would not see its end.
+                    if (hop < first.time) first = {hop, sweep.contact_with(piece, state)};
+                    return;
+                }
+                t += std::max(bound > 0 ? rate / bound : never, (t == 0 && bend >= 0 ? lifting : blink) / frequency);
                 continue;
             }
             t += sweep.safe_time(piece, state);
