@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/play_game.h"
+#include "game/glimpse.h"
 #include "view/hud.h"
 
 namespace app {
@@ -39,6 +40,28 @@ std::string badge_of(PlayGame const& game) {
     return words;
 }
 
+// What is told of the future must not cost a frame: one step costs microseconds, one ball more as much again.
+constexpr std::size_t most_foreseen_balls = 8;
+constexpr double foreseen = 1.6;  // s
+
+view::Foresight foresight_of(PlayGame const& game, view::Premise premise, game::Action const& action) {
+    physics::Pull const& pull = *game.session.world.forces.pull;
+    physics::History const coming = game::glimpse(game.session, action, foreseen);
+    view::Foresight foresight =
+        view::foresight_of(coming, game.stage->level.scene, pull.ball, shown_time(game), foreseen);
+    foresight.premise = premise;
+    return foresight;
+}
+
+// While the player aims: where the spring takes the ball, and where it flies when it is let go now.
+std::vector<view::Foresight> coming_of(PlayGame const& game) {
+    if (!game.held || !game.session.world.forces.pull) return {};
+    if (game.stage->level.scene.balls.size() > most_foreseen_balls) return {};
+    Vec2 const pointer = view::world_of(camera_of(game), *game.held);
+    return {foresight_of(game, view::Premise::held, game::Move{pointer}),
+            foresight_of(game, view::Premise::let_go, game::Release{})};
+}
+
 view::Moment moment_of(PlayGame const& game) {
     view::Recall const recall = game.overlays.energy ? view::Recall::chart : view::Recall::nothing;
     view::Moment moment = view::moment_at(game.stage->level, game.session.history, shown_time(game), recall);
@@ -46,6 +69,7 @@ view::Moment moment_of(PlayGame const& game) {
     moment.forces = game.session.world.forces;
     moment.noticed_at = game.session.noticed_at;
     moment.status = game::status_at(game.session, shown_time(game));
+    moment.coming = coming_of(game);
     return moment;
 }
 

@@ -6,6 +6,7 @@
 #include "game/game.h"
 #include "physics/world.h"
 #include "view/camera.h"
+#include "view/foresight.h"
 
 namespace view {
 
@@ -28,6 +29,7 @@ struct Moment {
     physics::Forces forces;          // that act at this time
     std::vector<double> noticed_at;  // s, by sensor: when it first fired; never, or missing, = it has not
     game::Status status;
+    std::vector<Foresight> coming;  // drawn while the player aims
 };
 
 enum class Recall { nothing, chart };  // whether `recent` is filled: only the overlay of energy shows it

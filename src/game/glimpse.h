@@ -1,0 +1,13 @@
+// A glimpse of what is going to happen if the player does one thing now and then nothing. The game is not touched.
+#pragma once
+
+#include <optional>
+
+#include "game/session.h"
+
+namespace game {
+
+// The legs and events from world.time to `horizon` seconds later, inputs that a run still holds left out.
+physics::History glimpse(Session const& session, std::optional<Action> const& action, double horizon);
+
+}  // namespace game
