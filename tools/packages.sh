@@ -1,4 +1,4 @@
-# What the two commands need from Debian 12, in one place, and how it gets there. Sourced by tools/run and tools/test.
+# What the commands need from Debian 12, in one place, and how it gets there. Sourced by tools/run, test and charts.
 
 packages_to_play=(
     g++ cmake ninja-build pkg-config python3-glad
@@ -8,6 +8,10 @@ packages_to_play=(
 packages_to_test=(
     "${packages_to_play[@]}"
     doctest-dev clang python3 xvfb xdotool x11-utils imagemagick libgl1-mesa-dri
+)
+packages_to_bench=(
+    "${packages_to_play[@]}"
+    libbox2d-dev libchipmunk-dev gnuplot-nox
 )
 
 say() { printf '%s\n' "$*" >&2; }
@@ -20,6 +24,7 @@ give_up() {
 commands_to_play=(c++ cmake ninja pkg-config glad ffmpeg)
 modules_to_play=(sdl2 osmesa eigen3 stb CLI11 pugixml nlohmann_json libdeflate)
 commands_to_test=("${commands_to_play[@]}" clang++ python3 Xvfb xdotool convert import)
+commands_to_bench=("${commands_to_play[@]}" gnuplot)
 
 lacks_by_name() {
     local -n commands=commands_to_$1
@@ -29,7 +34,7 @@ lacks_by_name() {
     for name in "${modules_to_play[@]}"; do pkg-config --exists "$name" || printf '%s ' "$name"; done
 }
 
-# Installs what is missing of the packages named by `play` or `test`. Says nothing when nothing is.
+# Installs what is missing of the packages named by `play`, `test` or `bench`. Says nothing when nothing is.
 install_what_is_missing_to() {
     local -n packages=packages_to_$1
     local missing

@@ -1,12 +1,13 @@
-// Prints what the stepping methods cost: microseconds per simulated second for one ball, milliseconds per 1/60 s for
-// piles.
+// Prints what the methods cost: microseconds per simulated second for one ball, a prediction of 10 s among many
+// surfaces, long times unsampled, milliseconds per 1/60 s for piles. With the name of a part only that part.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "geometry/elementary.h"
-#include "physics/method.h"
+#include "physics/predict.h"
 
 namespace {
 
@@ -63,10 +64,98 @@ double seconds_for(physics::Method const& method, Scene const& scene, Started co
     return least;
 }
 
-void print_single(char const* name, Scene const& scene) {
-    for (physics::Method const& method : {physics::Method(physics::Steps{}), physics::Method(physics::Article{})})
-        std::printf("%-28s %-8s %8.1f us per simulated second\n", name, physics::name_of(method),
-                    seconds_for(method, scene, started(method, scene, 0.5), 120) / 2 * 1e6);
+// The least time of a call, in seconds; short ones are repeated within a measurement.
+template <typename Call>
+double seconds_of(Call const& call, int calls) {
+    double least = 1e9;
+    for (int i = 0; i < repeats; ++i) {
+        auto const before = std::chrono::steady_clock::now();
+        for (int k = 0; k < calls; ++k) call();
+        least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+    }
+    return least / calls;
+}
+
+double sampled_sum = 0;  // so that no sample is left out by the compiler
+
+// A whole run from its start, asked for at 60 Hz.
+void run_sampled(physics::Method const& method, Scene const& scene, physics::Forces const& forces, int seconds) {
+    Started run = started(method, scene, 0);
+    physics::apply(method, scene, run.world, forces, run.history);
+    for (int frame = 1; frame <= seconds * 60; ++frame) {
+        double const time = frame / 60.0;
+        physics::advance(method, scene, run.world, time, run.history);
+        sampled_sum += physics::state_at(run.history, 0, time).position.x();
+        physics::forget_before(run.history, time);
+    }
+}
+
+void print_single(char const* name, Scene const& scene, int seconds, physics::Forces const& forces = {}) {
+    std::printf("%-36s", name);
+    for (physics::Method const& method :
+         {physics::Method(physics::Exact{}), physics::Method(physics::Steps{}), physics::Method(physics::Article{})})
+        std::printf("  %s %6.2f", physics::name_of(method),
+                    seconds_of([&] { run_sampled(method, scene, forces, seconds); }, 20) / seconds * 1e6);
+    std::printf("\n");
+}
+
+void print_singles() {
+    std::printf("microseconds per simulated second, one ball, sampled at 60 Hz\n");
+    Vec2 const down_slope(0.5 * std::sin(pi / 9), 0.5 * std::cos(pi / 9));
+    Scene const ramp = scene_of(
+        {line({-900 * std::cos(pi / 9), 900 * std::sin(pi / 9)}, {900 * std::cos(pi / 9), -900 * std::sin(pi / 9)})},
+        {ball_at(down_slope)});
+    Scene const valley = scene_of({{geometry::Arc{{0, 3}, 3, -pi, pi}, {0.9, 0, 0}, 0}}, {ball_at({1.5, 1})});
+    Scene const floor = scene_of({line({-900, 0}, {900, 0})}, {ball_at({0, 0.5})});
+    Scene loose = floor;
+    loose.drag.damping = 0.02;
+    physics::Forces pulled;
+    pulled.pull = physics::Pull{0, {3, 0.7}};
+    print_single("flight", scene_of({}, {ball_at({0, 0})}), 10);
+    print_single("ramp", ramp, 10);
+    print_single("bouncing, e = 0.8, to rest", scene_of({line({-900, 0}, {900, 0}, 0.8)}, {ball_at({0, 2})}), 5);
+    print_single("bouncing, e = 0.99", scene_of({line({-900, 0}, {900, 0}, 0.99)}, {ball_at({0, 2})}), 10);
+    print_single("valley, a true arc", valley, 10);
+    print_single("drag on the floor", floor, 10, pulled);
+    print_single("drag on the floor, damping 0.02", loose, 10, pulled);
+}
+
+// Small hills with platforms above them.
+Scene landscape_of(int surfaces) {
+    std::vector<physics::Piece> pieces;
+    auto const ground = [](int i) { return Vec2(2.0 * i, 0.3 * ((i * 7) % 5)); };
+    for (int i = 0; i < surfaces / 2; ++i) pieces.push_back(line(ground(i), ground(i + 1), 0.4));
+    for (int i = surfaces / 2; i < surfaces; ++i) {
+        Vec2 const from(2.0 * (i - surfaces / 2), 4.0 + i % 3);
+        pieces.push_back(line(from, from + Vec2(1.2, 0.2), 0.4));
+    }
+    Ball ball = ball_at({surfaces / 2.0, 2.5});
+    ball.start.velocity = {4, 0};
+    return scene_of(pieces, {ball});
+}
+
+void print_predictions() {
+    physics::Method const method = physics::Exact{};
+    for (int const surfaces : {100, 1000, 10000}) {
+        Scene const scene = landscape_of(surfaces);
+        Started const run = started(method, scene, 0);
+        auto const ahead = [&] { return physics::predicted(method, scene, run.world, 10); };
+        std::size_t const events = ahead().events.size();
+        std::printf("prediction of 10 s among %5d surfaces: %7.1f us, %d events\n", surfaces,
+                    seconds_of(ahead, 20) * 1e6, static_cast<int>(events));
+    }
+}
+
+void print_unsampled() {
+    physics::Method const method = physics::Exact{};
+    Scene const scene = scene_of({line({-1000, 0}, {900000, 0})}, {[] {
+                                     Ball ball = ball_at({0, 0.5});
+                                     ball.start.velocity = {20, 0};
+                                     return ball;
+                                 }()});
+    for (double const time : {1.0, 1000.0})
+        std::printf("%4.0f simulated seconds of rolling, unsampled: %.2f us\n", time,
+                    seconds_of([&] { sampled_sum += started(method, scene, time).world.time; }, 200) * 1e6);
 }
 
 Scene pile_of(int count) {
@@ -104,15 +193,12 @@ void print_pile(int count, double rate) {
 
 }  // namespace
 
-int main() {
-    Scene rolling = scene_of({line({-900, 300}, {900, -300})}, {ball_at({0, 0.6})});
-    Scene bouncing = scene_of({line({-900, 0}, {900, 0}, 0.99)}, {ball_at({0, 2})});
-    Scene valley = scene_of({{geometry::Arc{{0, 3}, 3, -pi, pi}, {0.9, 0, 0}, 0}}, {ball_at({1.5, 1})});
-    Scene flying = scene_of({}, {ball_at({0, 0})});
-    print_single("one ball, flight", flying);
-    print_single("one ball, slope", rolling);
-    print_single("one ball, bouncing", bouncing);
-    print_single("one ball, valley", valley);
-    for (int const count : {100, 1000})
-        for (double const rate : {60.0, 240.0}) print_pile(count, rate);
+int main(int count, char** arguments) {
+    std::string const part = count > 1 ? arguments[1] : "all";
+    if (part == "all" || part == "singles") print_singles();
+    if (part == "all" || part == "predictions") print_predictions();
+    if (part == "all" || part == "unsampled") print_unsampled();
+    if (part != "all" && part != "piles") return 0;
+    for (int const balls : {100, 1000})
+        for (double const rate : {60.0, 240.0}) print_pile(balls, rate);
 }

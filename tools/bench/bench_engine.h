@@ -1,0 +1,71 @@
+// Engines: whatever can say where balls will be, ours and others, under one face.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench_case.h"
+#include "physics/method.h"
+
+namespace bench {
+
+// One run from the start on. What it costs to set up is free; ours do all their work within positions_at.
+class Engine {
+public:
+    virtual ~Engine() = default;
+    // Of all balls, time by time; times ascend. May be called once.
+    virtual std::vector<Vec2> positions_at(std::vector<double> const& times) = 0;
+};
+
+// A method or a peer with a setting.
+struct Contestant {
+    std::string method;
+    std::string setting;  // for people
+    double rate = 0;      // steps/s; 0 = has none
+    bool recommended = false;
+    int pieces = 0;  // arcs are broken into so many chords first; 0 = they are left
+    std::unique_ptr<Engine> (*start)(Contestant const&, Task const&) = nullptr;
+};
+
+// Those of `rates` for each; rates are multiples of 60.
+std::vector<Contestant> our_methods(std::vector<double> const& rates);
+std::vector<Contestant> peers(std::vector<double> const& rates);
+
+physics::Method method_of(Contestant const& contestant);
+
+inline constexpr int peer_pieces = 512;  // of an arc, for engines that know none
+
+// The terrain as open or closed chains of corners with the material of their first piece, the balls to the left.
+struct Chain {
+    std::vector<Vec2> corners;
+    physics::Material material;
+    bool closed = false;  // the last corner is the first
+};
+std::vector<Chain> chains_of(physics::Scene const& scene);
+
+// An arc that the balls meet from outside can be a whole disc to an engine that knows discs.
+struct Boulder {
+    geometry::Arc arc;
+    physics::Material material;
+};
+std::vector<Boulder> boulders_of(physics::Scene const& scene);
+
+// A pile of equal discs on the way to rest, kept awake; for measuring.
+class Pile {
+public:
+    virtual ~Pile() = default;
+    virtual void frame() = 0;  // 1/60 s on
+    virtual std::vector<Vec2> positions() const = 0;
+};
+std::unique_ptr<Pile> our_pile(physics::Scene const& scene, physics::Steps const& method);
+#ifdef SMB2D_BOX2D
+std::unique_ptr<Engine> box2d_engine(Contestant const& contestant, Task const& task);
+std::unique_ptr<Pile> box2d_pile(physics::Scene const& scene, int iterations);
+#endif
+#ifdef SMB2D_CHIPMUNK
+std::unique_ptr<Engine> chipmunk_engine(Contestant const& contestant, Task const& task);
+std::unique_ptr<Pile> chipmunk_pile(physics::Scene const& scene, int iterations);
+#endif
+
+}  // namespace bench
