@@ -131,7 +131,12 @@ double change_after(ValueAt const& value_at, double from, int sign) {
 class Turns {
 public:
     Turns(Gap const& gap, double from)
-        : gap_(&gap), bends_(gap.oscillator(), bend_start(gap)), from_(from), direction_(gap.direction_after(from)) {}
+        : gap_(&gap), bends_(gap.oscillator(), bend_start(gap)), from_(from), direction_(gap.direction_after(from)) {
+        if (!gap.is_level()) return;
+        // At an extremum the sign of the rate is rounding; half way to the next one it is not.
+        double const next = bends_.next_after(from);
+        if (next < infinity && next > from) direction_ = sign_of(gap.at(from + (next - from) / 2).rate);
+    }
 
     int direction() const { return direction_; }
     double spacing() const { return bends_.spacing(); }

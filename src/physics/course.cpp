@@ -16,6 +16,11 @@ State state_of(Setting const& setting, Rider const& rider) {
     return state;
 }
 
+double sway_speed(Setting const& setting, State const& state) {
+    double const pull = geometry::length(acceleration_in(setting.field, state.position, state.velocity));
+    return std::sqrt(2 * pull * lowest_hop * setting.ball.radius);
+}
+
 Rider held_by_full_grip(Setting const& setting, Rider rider) {
     double const k = setting.ball.inertia;
     if (rider.slip() == 0 || std::isfinite(material_of(setting.terrain, rider.contact.feature).friction)) return rider;

@@ -35,6 +35,11 @@ struct Rider {
 };
 State state_of(Setting const& setting, Rider const& rider);
 
+// A hop lower than this many radii is not seen.
+inline constexpr double lowest_hop = 1e-15;
+// The speed with which a ball in this field does not get farther than the lowest hop, m/s.
+double sway_speed(Setting const& setting, State const& state);
+
 // The rider on a surface of full grip, which ends its slip at once by an impulse at the rim; as it is on any other.
 Rider held_by_full_grip(Setting const& setting, Rider rider);
 

@@ -126,6 +126,7 @@ Course circle_course(Setting const& setting, Rider const& rider, Law const& law,
     Expansion const x = expansion_of(setting, rider, law);
     Soonest soonest;
     soonest.offer(stride_of(x, rider.track.rho), Limit{0, 0, Ending::goes_on, Onset::none});
+    offer_ends_at_hand(soonest, setting, rider, ends, x.speed[1]);
     auto const look = [&](Series const& gap, auto const& what) {
         soonest.offer(geometry::first_fall(gap, soonest.time), what);
     };

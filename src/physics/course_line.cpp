@@ -23,6 +23,7 @@ Course steady_line(Setting const& setting, Rider const& rider, Law const& law, T
     double const rim_rate = law.phase == Phase::slide ? law.gamma * force : a;
     State const from = state_of(setting, rider);
     Soonest soonest;
+    offer_ends_at_hand(soonest, setting, rider, ends, a);
     if (ends.high.q < never)
         soonest.offer(first_quadratic_fall(std::max(0.0, ends.high.q - rider.q), -rider.speed, -a / 2, never),
                       ends.high);
@@ -56,6 +57,7 @@ public:
 
     Course course(TrackEnds const& ends, double since) const {
         Soonest soonest;
+        offer_ends_at_hand(soonest, setting_, rider_, ends, acceleration_);
         find(soonest, ends.high.q - (rider_.q - way_), 0, {-way_, -rider_.speed}, ends.high);
         find(soonest, (rider_.q - way_) - ends.low.q, 0, {way_, rider_.speed}, ends.low);
         for (int i = 0; i < law_.limit_count; ++i) find_limit(soonest, law_.limits[i]);

@@ -42,6 +42,20 @@ struct Soonest {
     }
 };
 
+// How near to the end of its track a ball is at it.
+inline constexpr double end_reach = 1e-12;  // m
+
+// Offers the ends of the track at once where the ball is driven against them, or would come back unseen.
+inline void offer_ends_at_hand(Soonest& soonest, Setting const& setting, Rider const& rider, TrackEnds const& ends,
+                               double acceleration) {
+    bool const at_high = ends.high.q - rider.q <= end_reach && acceleration > 0;
+    bool const at_low = rider.q - ends.low.q <= end_reach && acceleration < 0;
+    if (!at_high && !at_low) return;
+    double const sway = sway_speed(setting, state_of(setting, rider));
+    if (at_high && rider.speed >= -sway) soonest.offer(0.0, ends.high);
+    if (at_low && rider.speed <= sway) soonest.offer(0.0, ends.low);
+}
+
 Course line_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
 Course circle_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
 

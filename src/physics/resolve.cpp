@@ -17,8 +17,6 @@ namespace {
 constexpr double rounding_share = 1e-12;
 // Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series.
 constexpr int most_blows = 200;
-// A hop lower than this many radii is not seen: the rest of the bounces is summed (physics.md 2.13).
-constexpr double lowest_hop = 1e-15;
 // Normals nearer than this to parallel leave a ball free to move along both surfaces.
 constexpr double parallel = 1e-9;
 
@@ -36,6 +34,7 @@ void set_speeds(Setting const& setting, State& state, Vec2 const& normal, Contac
 struct Struck {
     State state;
     std::vector<Support> supports;
+    Contact known;  // that the caller says is touched
     std::vector<Turnout::Happening> blows;
     double rounding = 0;                 // m/s: slower than this, after what happens here, is not moving
     std::optional<std::size_t> gripped;  // the last support that stopped the slip, if nothing came after
@@ -86,10 +85,13 @@ Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
     return rider;
 }
 
-// How fast the ball leaves the support, if so slowly that its bounces are summed; nothing if it flies.
+// How fast the ball leaves the support, if so slowly that its bounces are summed (physics.md 2.13); nothing if it flies.
 std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::size_t i) {
     double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
     if (normal_speed <= struck.rounding) return 0;
+    // What drives a ball against the end of its track may be friction, of which the pressing field does not tell.
+    bool const known = struck.supports[i].contact == struck.known;
+    if (known && struck.blows.empty() && normal_speed <= sway_speed(setting, struck.state)) return 0;
     double const pressing = normal_force(setting, rider_on(setting, struck, i));
     if (!(normal_speed * normal_speed < 2 * pressing * lowest_hop * setting.ball.radius)) return std::nullopt;
     return normal_speed;
@@ -207,7 +209,7 @@ Turnout kept_turnout(Setting const& setting, Struck const& struck, std::vector<s
 Struck struck_at(Setting const& setting, State const& state, Contact known) {
     double const rounding =
         rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
-    Struck struck{state, supports_at(setting.terrain, state.position, setting.ball.radius), {}, rounding, std::nullopt};
+    Struck struck{state, supports_at(setting.terrain, state.position, setting.ball.radius), known, {}, rounding, std::nullopt};
     if (known.feature < 0 || !fits(setting.terrain, known, setting.ball.radius)) return struck;
     for (Support const& s : struck.supports)
         if (s.contact == known) return struck;

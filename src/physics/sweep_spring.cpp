@@ -70,6 +70,14 @@ struct SpringSweep {
         return straight + std::copysign(speed_along * speed_along / distance, dot(out, normal));
     }
 
+    // Inside an arc a ball that leaves it comes back sooner than its acceleration alone would have it.
+    double bound_near(int piece, State const& state) const {
+        auto const* arc = std::get_if<Arc>(&terrain.pieces[piece].curve);
+        if (arc == nullptr) return bound;
+        double const d = geometry::length(state.position - arc->centre);
+        return d < arc->radius && d > 0 ? bound + 2 * speed * speed / d : bound;
+    }
+
     static double rate_from(geometry::Nearest const& nearest, State const& state) {
         return nearest.distance > 0 ? dot(state.position - nearest.point, state.velocity) / nearest.distance : 0;
     }
@@ -152,7 +160,8 @@ Obstacle first_obstacle(Terrain const& terrain, Leg const& spring_flight, double
                     if (hop < first.time) first = {hop, sweep.contact_with(piece, state)};
                     return;
                 }
-                t += std::max(bound > 0 ? rate / bound : never, (t == 0 && bend >= 0 ? lifting : blink) / frequency);
+                double const most = sweep.bound_near(piece, state);
+                t += std::max(most > 0 ? rate / most : never, (t == 0 && bend >= 0 ? lifting : blink) / frequency);
                 continue;
             }
             t += sweep.safe_time(piece, state);

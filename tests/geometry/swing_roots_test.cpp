@@ -103,3 +103,10 @@ TEST_CASE("closed and closing falls at once, closed and opening does not") {
     CHECK(first_swing_fall(-1, 0, {0, 1}, {1, -1}, infinity).time == 0.0);
     CHECK(*first_swing_fall(-1, 0, {0, 1}, {1, 1}, infinity).time == doctest::Approx(pi_half).epsilon(1e-14));
 }
+
+TEST_CASE("a swing let go at its turn falls though rounding has it rise") {
+    // The gap 1e-6 closes at acos(1 - 1e-6) / omega whatever the last bit of the speed.
+    for (double const speed : {-7e-17, 0.0, 7e-17})
+        CHECK(*first_swing_fall(1e-6 - 1, 0, {0, 466}, {1, speed}, infinity).time ==
+              doctest::Approx(std::acos(1 - 1e-6) / std::sqrt(466.0)).epsilon(1e-9));
+}
