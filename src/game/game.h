@@ -41,7 +41,7 @@ struct Run {
     std::vector<Input> inputs;
     struct Final {
         double time = 0;
-        std::string state_hash;
+        std::optional<std::string> state_hash;
     };
     std::optional<Final> final;
 };

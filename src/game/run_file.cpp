@@ -156,8 +156,10 @@ std::vector<Input> inputs_in(json const& array, Place const& file) {
 
 Run::Final final_in(json const& value, Place const& place) {
     expect_keys(value, place, {"time", "state_hash"});
-    return {number(member(value, place, "time"), place.at("time"), 0, time_limit),
-            text(member(value, place, "state_hash"), place.at("state_hash"))};
+    Run::Final final{number(member(value, place, "time"), place.at("time"), 0, time_limit), std::nullopt};
+    if (auto const hash = value.find("state_hash"); hash != value.end())
+        final.state_hash = text(*hash, place.at("state_hash"));
+    return final;
 }
 
 void expect_version(json const& root, Place const& file) {
@@ -238,9 +240,11 @@ std::string text_of(Run const& run, std::string const& folder) {
     for (std::size_t i = 0; i < run.inputs.size(); ++i)
         text += (i == 0 ? "\n   " : ",\n   ") + json_of(run.inputs[i]).dump();
     text += "]";
-    if (run.final)
-        text +=
-            ",\n \"final\": " + ordered_json{{"time", run.final->time}, {"state_hash", run.final->state_hash}}.dump();
+    if (run.final) {
+        ordered_json final = {{"time", run.final->time}};
+        if (run.final->state_hash) final["state_hash"] = *run.final->state_hash;
+        text += ",\n \"final\": " + final.dump();
+    }
     return text + "}\n";
 }
 

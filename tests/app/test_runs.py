@@ -39,6 +39,11 @@ class Runs(ProgramTest):
         result = self.smb2d("verify", self.write(**claims))
         self.assertEqual((result.returncode, result.stderr), (0, b""), result.stdout)
 
+    def test_an_end_without_a_hash_claims_its_time(self):
+        for time, status in [(2, 0), (1.5, 3)]:
+            result = self.smb2d("verify", self.write(duration=2, final={"time": time}))
+            self.assertEqual((result.returncode, result.stderr), (status, b""), result.stdout)
+
     def test_a_tampered_run_is_found_out(self):
         claims = self.claims()
         grabbed_elsewhere = [{"t": 0.5, "grab": {"ball": 0, "x": 2.6, "y": 1.0}}, {"t": 1.0, "release": True}]
