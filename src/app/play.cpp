@@ -74,6 +74,7 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
         fit(game, window);
         double const now = seconds_now();
         pass(game, now - last);
+        scrub_by_keys(game, now - last);
         last = now;
         show_cursor(cursors, game, window);
         window.present(picture_of(game));

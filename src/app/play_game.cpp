@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/play_save.h"
 #include "game/best_times.h"
+#include "game/past.h"
 #include "game/run_file.h"
 #include "view/hud.h"
 
@@ -15,9 +16,8 @@ namespace {
 
 constexpr double toast_length = 4;    // s
 constexpr double leaning_time = 0.3;  // s from level to the tilt limit
-// Of the past, so much is kept: a stepping method may be a step ahead of what is shown.
-constexpr double kept_past = view::camera_memory + 1;  // s
-static_assert(game::lowest_rate >= 1, "a step is at most a second");
+// A stepping method may be a step ahead of what is shown.
+static_assert(game::PastLimits{}.shortest > view::camera_memory + 1 / game::lowest_rate);
 
 void open_session(PlayGame& game, Opened const& opening) {
     note_changed_level(opening);
@@ -29,6 +29,7 @@ void open_session(PlayGame& game, Opened const& opening) {
     if (opening.is_run) game.replay_end = duration_of(opening.run).value();
     game.held.reset();
     game.sent.reset();
+    game.looked_at.reset();
     game.noted = opening.is_run;
 }
 
@@ -74,7 +75,7 @@ void lean(PlayGame& game, double simulated) {
 }
 
 void note_goal(PlayGame& game) {
-    if (game.noted || !game.session.goal_time || *game.session.goal_time > shown_time(game)) return;
+    if (game.noted || !game.session.goal_time || *game.session.goal_time > present_time(game)) return;
     game.noted = true;
     try {
         if (game::note_time(game.stage->level, *game.session.goal_time) == game::Rank::best)
@@ -87,8 +88,8 @@ void note_goal(PlayGame& game) {
 
 // Up to the time that the pace shows.
 void let_time_pass(PlayGame& game) {
-    game::advance(game.session, shown_time(game));
-    game::forget_before(game.session, shown_time(game) - kept_past);
+    game::advance(game.session, present_time(game));
+    game::keep_past(game.session, present_time(game));
     note_goal(game);
 }
 
@@ -146,7 +147,7 @@ view::Camera camera_of(PlayGame const& game) {
 
 Pressed press(PlayGame& game, Vec2 const& pixel) {
     std::optional<int> const ball = ball_at(game, pixel);
-    if (!ball) return Pressed::nothing;
+    if (!ball || return_to_present(game)) return Pressed::nothing;
     take_over(game);
     Vec2 const point = view::world_of(camera_of(game), pixel);
     game::act(game.session, game::Grab{*ball, point});
@@ -174,6 +175,7 @@ void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches) {
 }
 
 void single_step(PlayGame& game) {
+    if (game.looked_at) game.looked_at.reset();
     if (!game.pace.paused) return;
     send_pointer(game);
     lean(game, 1.0 / 60);
@@ -219,7 +221,7 @@ void pass(PlayGame& game, double elapsed) {
     lean(game, simulated);
     game.pace = next;
     let_time_pass(game);
-    if (!game.replay_end || shown_time(game) < *game.replay_end) return;
+    if (!game.replay_end || present_time(game) < *game.replay_end) return;
     game.replay_end.reset();
     game.pace.paused = true;
     say(game, "The end of the run; Space plays on from here");

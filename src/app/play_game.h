@@ -11,6 +11,7 @@
 #include "game/pace.h"
 #include "game/session.h"
 #include "view/scene_picture.h"
+#include "view/timeline.h"
 
 namespace app {
 
@@ -32,9 +33,11 @@ struct PlayGame {
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
     view::Lens lens;
     view::Overlays overlays;
-    std::optional<Vec2> held;  // pixels, the pointer while it drags a ball
-    std::optional<Vec2> sent;  // m, where it was when it was last told to the session
-    int lean = 0;              // -1, 0, 1: to which side the stage is being tilted
+    std::optional<Vec2> held;         // pixels, the pointer while it drags a ball
+    std::optional<Vec2> sent;         // m, where it was when it was last told to the session
+    std::optional<double> looked_at;  // s, a moment of the past; nothing = the present
+    double scrub_held = 0;            // s on the wall, for how long the key that moves through the past is down
+    int lean = 0;                     // -1, 0, 1: to which side the stage is being tilted
     Toast toast;
     bool help = false;
     bool noted = false;  // the time of reaching the goal has been noted
@@ -50,10 +53,21 @@ void change_to(PlayGame& game, std::string const& file);
 // The next method, from the beginning of the level.
 void change_method(PlayGame& game);
 
-inline double shown_time(PlayGame const& game) { return game::simulated_time(game.pace); }
+inline double present_time(PlayGame const& game) { return game::simulated_time(game.pace); }
+inline double shown_time(PlayGame const& game) { return game.looked_at.value_or(present_time(game)); }
 view::Camera camera_of(PlayGame const& game);
 
+// Looking back through the past that is kept; the game stands still meanwhile. A key that is pressed moves by a frame,
+// one that is held goes on; -1 is back, 1 forward. In the present, forward is a single step.
+enum class Hurry { calm, fast };
+void start_scrub(PlayGame& game, int direction, Hurry hurry);
+void scrub(PlayGame& game, int direction, Hurry hurry, double elapsed);
+// Plays on from the present; whether the past was looked at.
+bool return_to_present(PlayGame& game);
+view::Timeline timeline_of(PlayGame const& game);
+
 enum class Pressed { ball, nothing };
+// On a ball of the past: the present returns, and nothing is taken hold of.
 Pressed press(PlayGame& game, Vec2 const& pixel);
 void move_pointer(PlayGame& game, Vec2 const& pixel);
 void release(PlayGame& game);

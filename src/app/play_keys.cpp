@@ -30,6 +30,8 @@ int lean_of_keys() {
     return right - left;
 }
 
+Hurry hurry_of_keys() { return (SDL_GetModState() & KMOD_SHIFT) != 0 ? Hurry::fast : Hurry::calm; }
+
 Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& window) {
     switch (key) {
         case SDLK_q:
@@ -42,9 +44,16 @@ Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& wind
             game.help = !game.help;
             break;
         case SDLK_SPACE:
-            game.pace.paused = !game.pace.paused;
+            if (!return_to_present(game)) game.pace.paused = !game.pace.paused;
+            break;
+        case SDLK_COMMA:
+        case SDLK_LESS:
+            start_scrub(game, -1, hurry_of_keys());
             break;
         case SDLK_PERIOD:
+        case SDLK_GREATER:
+            start_scrub(game, 1, hurry_of_keys());
+            break;
         case SDLK_n:
             single_step(game);
             break;
@@ -98,6 +107,12 @@ std::string title_of(PlayGame const& game) {
     return "Super Monkey Ball 2D - " + name;
 }
 
+void scrub_by_keys(PlayGame& game, double elapsed) {
+    Uint8 const* const down = SDL_GetKeyboardState(nullptr);
+    auto const is_down = [&](SDL_Keycode key) { return down[SDL_GetScancodeFromKey(key)] != 0 ? 1 : 0; };
+    scrub(game, is_down(SDLK_PERIOD) - is_down(SDLK_COMMA), hurry_of_keys(), elapsed);
+}
+
 Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
     switch (event.type) {
         case SDL_QUIT:
@@ -106,10 +121,9 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             return event.window.event == SDL_WINDOWEVENT_CLOSE ? Wish::quit : Wish::stay;
         case SDL_KEYDOWN:
             game.lean = lean_of_keys();
-            // Alt-Tab is the desktop's, and a key that is held down repeats steps alone.
+            // Alt-Tab is the desktop's, and a key that is held down repeats single steps alone.
             if ((event.key.keysym.mod & KMOD_ALT) != 0) return Wish::stay;
-            if (event.key.repeat != 0 && event.key.keysym.sym != SDLK_PERIOD && event.key.keysym.sym != SDLK_n)
-                return Wish::stay;
+            if (event.key.repeat != 0 && event.key.keysym.sym != SDLK_n) return Wish::stay;
             return press_key(event.key.keysym.sym, game, tour, window);
         case SDL_KEYUP:
             game.lean = lean_of_keys();

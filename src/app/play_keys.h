@@ -24,6 +24,9 @@ enum class Wish { stay, quit };
 // What one event means for the game and its window.
 Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
 
+// Moves through the past while comma or period is held down.
+void scrub_by_keys(PlayGame& game, double elapsed);
+
 std::string title_of(PlayGame const& game);
 
 }  // namespace app

@@ -15,8 +15,9 @@ std::vector<view::KeyHelp> key_help() {
     return {{"left button", "press on the ball and drag it"},
             {"A  D", "tilt the stage; so do the left and right arrows"},
             {"wheel", "zoom"},
-            {"Space", "pause"},
-            {".  N", "one step while paused"},
+            {"Space", "pause; from the past: back to the present"},
+            {",  .", "look back and forth through the last minutes; Shift: faster"},
+            {"N", "one step while paused; so does . in the present"},
             {"S", "slow motion"},
             {"R", "from the beginning"},
             {"Tab", "next level; PageDown and PageUp walk through them"},
@@ -34,6 +35,7 @@ std::string badge_of(PlayGame const& game) {
         if (!words.empty()) words += ", ";
         words += word;
     };
+    if (game.looked_at) return view::written(present_time(game) - *game.looked_at, 1) + " s ago";
     add(game.replay_end.has_value(), "replay");
     add(game.pace.paused, "paused");
     add(game.pace.speed != 1, "slow motion");
@@ -66,7 +68,7 @@ view::Moment moment_of(PlayGame const& game) {
     view::Recall const recall = game.overlays.energy ? view::Recall::chart : view::Recall::nothing;
     view::Moment moment = view::moment_at(game.stage->level, game.session.history, shown_time(game), recall);
     // What the player has just done shows at once, though a stepping method lets it act from the next step on.
-    moment.forces = game.session.world.forces;
+    moment.forces = game.looked_at ? game::forces_at(game.session, *game.looked_at) : game.session.world.forces;
     moment.noticed_at = game.session.noticed_at;
     moment.status = game::status_at(game.session, shown_time(game));
     moment.coming = coming_of(game);
@@ -86,6 +88,7 @@ view::Picture picture_of(PlayGame const& game) {
     };
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
+    if (game.looked_at) add(view::timeline_shapes(timeline_of(game), game.size));
     add(view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));
     if (game.help) add(view::help_shapes(key_help(), game.size));
     return picture;

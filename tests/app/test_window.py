@@ -123,6 +123,21 @@ class Window(ProgramTest):
                 self.done("render", run, "-o", f"{renderer}.png", "-s", "64x36", "--to", "0.1", "--fps", "10")
                 run.unlink()
 
+    def test_looking_back_shows_the_past_and_leaves_the_run_as_it_was(self):
+        self.open("software")
+        air = self.patch(TARGET)
+        self.drag_the_ball()
+        self.pointer("keydown", "comma")
+        until(lambda: self.differs(air, TARGET), "the ball to be back at the pointer", self.game)
+        self.pointer("keyup", "comma")
+        self.pointer("key", "--window", self.window, "space")
+        until(lambda: not self.differs(air, TARGET), "the present to return", self.game)
+        run = self.save()
+        self.close()
+        self.check_that_the_ball_followed(run)
+        verified = self.smb2d("verify", run)
+        self.assertEqual((verified.returncode, verified.stderr), (0, b""), verified.stdout)
+
     def test_closing_the_window_ends_the_program(self):
         self.open("software")
         self.pointer("key", "--window", self.window, "q")

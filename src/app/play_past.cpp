@@ -1,0 +1,87 @@
+// Looking back: comma and period move through what the game has kept of its past; the session is never touched.
+#include <algorithm>
+
+#include "app/play_game.h"
+#include "game/past.h"
+#include "view/palette.h"
+
+namespace app {
+
+namespace {
+
+constexpr double single_move = 1.0 / 60;  // s, of a key that is pressed for a moment
+constexpr double holding_after = 0.25;    // s on the wall: a key that is down for longer is held
+constexpr double scrub_speed = 1.5;       // simulated seconds in a second while a key is held
+constexpr double fast_factor = 10;
+
+// The camera softly follows a path: what is just before the earliest moment shown must be known to it.
+double earliest_shown(PlayGame const& game) {
+    double const from = game.session.history.from;
+    return from > 0 ? std::min(from + view::camera_memory, present_time(game)) : 0;
+}
+
+void look_at(PlayGame& game, double time) {
+    if (time >= present_time(game))
+        game.looked_at.reset();
+    else
+        game.looked_at = std::max(time, earliest_shown(game));
+}
+
+double factor_of(Hurry hurry) { return hurry == Hurry::fast ? fast_factor : 1; }
+
+}  // namespace
+
+void start_scrub(PlayGame& game, int direction, Hurry hurry) {
+    if (game.held) return say(game, "Let go of the ball to look back");
+    if (!game.looked_at && direction > 0) return single_step(game);
+    if (!game.looked_at && present_time(game) <= earliest_shown(game)) return;
+    if (!game.looked_at) {
+        game.pace.paused = true;
+        say(game, "Looking back: comma and period move, Space plays on from the present");
+    }
+    look_at(game, shown_time(game) + direction * single_move * factor_of(hurry));
+    game.scrub_held = 0;
+}
+
+void scrub(PlayGame& game, int direction, Hurry hurry, double elapsed) {
+    if (!game.looked_at || direction == 0) return;
+    game.scrub_held += elapsed;
+    if (game.scrub_held < holding_after) return;
+    look_at(game, *game.looked_at + direction * scrub_speed * factor_of(hurry) * elapsed);
+    if (!game.looked_at) say(game, "The present; Space plays on");
+}
+
+bool return_to_present(PlayGame& game) {
+    if (!game.looked_at) return false;
+    game.looked_at.reset();
+    game.pace.paused = false;
+    say(game, "Back in the present");
+    return true;
+}
+
+view::Timeline timeline_of(PlayGame const& game) {
+    view::Timeline timeline;
+    timeline.from = earliest_shown(game);
+    timeline.shown = shown_time(game);
+    timeline.to = present_time(game);
+    auto const mark = [&](double time, view::Colour const& colour) {
+        if (time >= timeline.from && time <= timeline.to) timeline.marks.push_back({time, colour});
+    };
+    game::Session const& session = game.session;
+    for (std::size_t i = 0; i < session.noticed_at.size(); ++i)
+        if (session.level->meanings[i] == level::Meaning::banana) mark(session.noticed_at[i], view::palette::banana);
+    if (session.goal_time) mark(*session.goal_time, view::palette::green);
+    if (session.fall_time) mark(*session.fall_time, view::palette::red);
+    for (std::size_t i = 0; i < session.forces.size(); ++i) {
+        if (!session.forces[i].forces.pull) continue;
+        double const end = i + 1 < session.forces.size() ? session.forces[i + 1].time : timeline.to;
+        auto& pulls = timeline.pulls;
+        if (!pulls.empty() && pulls.back().to == session.forces[i].time)
+            pulls.back().to = end;
+        else if (end > timeline.from)
+            pulls.push_back({session.forces[i].time, end});
+    }
+    return timeline;
+}
+
+}  // namespace app

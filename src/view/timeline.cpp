@@ -1,0 +1,32 @@
+#include "view/timeline.h"
+
+#include <algorithm>
+
+#include "view/hud.h"
+#include "view/palette.h"
+
+namespace view {
+
+std::vector<Shape> timeline_shapes(Timeline const& timeline, Vec2 const& size) {
+    std::vector<Shape> shapes;
+    double const unit = hud_scale(size);
+    double const left = 16 * unit, right = size.x() - 16 * unit, y = size.y() - 8 * unit;
+    double const length = std::max(timeline.to - timeline.from, 1e-9);
+    auto const at = [&](double time) {
+        double const share = std::clamp((time - timeline.from) / length, 0.0, 1.0);
+        return Vec2(left + share * (right - left), y);
+    };
+    auto const bar = [&](double from, double to, double width, Colour const& paint) {
+        shapes.emplace_back(Stroke{at(from), at(to), width * unit, paint});
+    };
+    shapes.emplace_back(Panel{{0, size.y() - 16 * unit}, {size.x(), 16 * unit}, 0, palette::night});
+    bar(timeline.from, timeline.to, 4, faded(palette::bright, 0.3f));
+    bar(timeline.from, timeline.shown, 4, faded(palette::bright, 0.85f));
+    for (Timeline::Span const& pull : timeline.pulls) bar(pull.from, pull.to, 4, palette::strain);
+    for (Timeline::Mark const& mark : timeline.marks)
+        shapes.emplace_back(Disc{at(mark.time), 4.5 * unit, mark.colour, palette::ink, 1 * unit, 0});
+    shapes.emplace_back(Disc{at(timeline.shown), 7 * unit, palette::bright, palette::ink, 2 * unit, 0});
+    return shapes;
+}
+
+}  // namespace view

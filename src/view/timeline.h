@@ -1,0 +1,25 @@
+// The timeline: a thin bar at the lower edge that says where in the past one looks.
+#pragma once
+
+#include <vector>
+
+#include "view/picture.h"
+
+namespace view {
+
+struct Timeline {
+    double from = 0, shown = 0, to = 0;  // s: what is kept, what is looked at, the present
+    struct Mark {
+        double time = 0;  // s
+        Colour colour;
+    };
+    std::vector<Mark> marks;  // what happened: bananas, the goal
+    struct Span {
+        double from = 0, to = 0;  // s
+    };
+    std::vector<Span> pulls;  // when a ball was dragged
+};
+
+std::vector<Shape> timeline_shapes(Timeline const& timeline, Vec2 const& size);
+
+}  // namespace view
