@@ -1,4 +1,5 @@
-// smb2d check: what is wrong or suspicious in a level, with file and line.
+// smb2d check: what is wrong or suspicious in a level, with file and line; what a sound one needs of a method.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "app/interrupt.h"
 #include "app/output.h"
 #include "level/level.h"
+#include "physics/needs.h"
 
 namespace app {
 
@@ -16,14 +18,36 @@ std::string line_for(std::string const& file, level::Finding const& finding) {
     return file + ":" + std::to_string(finding.line) + (finding.fault ? ": " : ": warning: ") + finding.text;
 }
 
+std::string clause_of(physics::Reason const& reason, level::Level const& level) {
+    if (reason.surface < 0) return reason.why;
+    return "surface \"" + level.surface_names[static_cast<std::size_t>(reason.surface)] + "\" " + reason.why;
+}
+
+// What a sound level asks of a method, and which one is chosen. No line number: these are no findings.
+std::vector<std::string> notes_on(std::string const& file) {
+    std::vector<std::string> notes;
+    level::Level const level = level::read_level(file);
+    for (physics::Reason const& reason : physics::needs_of(level.scene))
+        notes.push_back(file + ": needs " + physics::name_of(reason.need) + ": " + clause_of(reason, level));
+    physics::Choice const choice = physics::choice_for(level.scene);
+    notes.push_back(file + ": method " + physics::name_of(choice.method) + ": " + choice.why);
+    return notes;
+}
+
+bool has_fault(std::vector<level::Finding> const& findings) {
+    return std::any_of(findings.begin(), findings.end(), [](level::Finding const& f) { return f.fault; });
+}
+
 int check(std::vector<std::string> const& files) {
     int status = done;
     std::string unreadable;
     for (std::string const& file : files) {
         stop_if_interrupted();
         std::vector<level::Finding> findings;
+        std::vector<std::string> notes;
         try {
             findings = level::findings_in(file);
+            if (!has_fault(findings)) notes = notes_on(file);
         } catch (std::runtime_error const& error) {
             unreadable += (unreadable.empty() ? "" : "; ") + std::string(error.what());
         }
@@ -31,9 +55,13 @@ int check(std::vector<std::string> const& files) {
         for (level::Finding const& finding : findings) {
             output.add(line_for(file, finding));
             output.end_line();
-            if (finding.fault) status = fault_found;
+        }
+        for (std::string const& line : notes) {
+            output.add(line);
+            output.end_line();
         }
         output.flush();
+        if (has_fault(findings)) status = fault_found;
     }
     if (!unreadable.empty()) throw std::runtime_error(unreadable);
     return status;
@@ -43,7 +71,8 @@ int check(std::vector<std::string> const& files) {
 
 Command check_command(CLI::App& program) {
     auto const files = std::make_shared<std::vector<std::string>>();
-    CLI::App* const command = program.add_subcommand("check", "What is wrong or suspicious in a level");
+    CLI::App* const command =
+        program.add_subcommand("check", "What is wrong or suspicious in a level, and what it needs");
     command->add_option("files", *files, "levels (.svg)")->required()->type_name("LEVEL");
     command->footer("Ends with 3 when a level has a fault. Example: smb2d check assets/levels/*.svg");
     return {command, [files] { return check(*files); }};

@@ -40,15 +40,13 @@ public:
     }
 
 private:
-    void add(Need need, std::string why) { reasons_.push_back({need, std::move(why)}); }
+    void add(Need need, std::string why) { reasons_.push_back({need, std::move(why), -1}); }
 
     template <typename Test>
     void of_piece(Need need, char const* what, Test&& test) {
         int const piece = first_piece(scene_, test);
         if (piece < 0) return;
-        std::string why = "surface ";
-        why.append(std::to_string(scene_.terrain.pieces[piece].surface)).append(" ").append(what);
-        add(need, std::move(why));
+        reasons_.push_back({need, what, scene_.terrain.pieces[piece].surface});
     }
 
     Scene const& scene_;

@@ -12,7 +12,8 @@ enum class Need { arcs, corners, bounces, slip, resistance, drag, pairs, piles }
 
 struct Reason {
     Need need = Need::arcs;
-    std::string why;  // one clause, for people: what in the scene asks for it
+    std::string why;   // one clause, for people: what in the scene asks for it
+    int surface = -1;  // the first surface that does, by Piece::surface: then `why` is what is said of it
 };
 
 // Every need once, in the order of Need.

@@ -31,6 +31,28 @@ class Check(ProgramTest):
         level = self.file("odd.svg", self.small_level.read_text().replace("data-spin", "data-spim"))
         self.assertIn(f"{level}:3: ", self.done("check", level).decode())
 
+    def test_a_sound_level_is_told_what_it_needs_and_which_method_is_chosen(self):
+        level = self.file("bowl.svg", """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 4.5">
+<path id="bowl" class="terrain" data-friction="inf" d="M 0 0 A 4 4 0 0 0 8 0"/>
+<circle class="ball" cx="2" cy="1" r="0.5"/>
+</svg>
+""")
+        lines = self.done("check", level).decode().splitlines()
+        self.assertIn(f'{level}: needs arcs: surface "bowl" is round', lines)
+        self.assertFalse([line for line in lines if "slip" in line or "bounces" in line])
+        self.assertEqual(lines[-1].split(": ")[1], "method exact")
+        self.assertGreater(len(lines[-1].split(": ")[2]), 10)
+
+    def test_many_balls_are_left_to_steps_and_it_says_why(self):
+        lines = self.done("check", ASSETS / "lab/pile.svg").decode().splitlines()
+        self.assertRegex(lines[-1], r": method steps: .*piles")
+
+    def test_a_broken_level_is_told_no_needs(self):
+        level = self.file("broken.svg", self.small_level.read_text().replace('r="0.5"', 'r="-1"'))
+        result = self.smb2d("check", level)
+        self.assertEqual(result.returncode, 3)
+        self.assertNotRegex(result.stdout.decode(), r": (needs|method) ")
+
     def test_one_broken_level_among_many_is_a_fault(self):
         broken = self.file("broken.svg", "<svg")
         result = self.smb2d("check", self.small_level, broken, self.small_level)
