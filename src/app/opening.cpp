@@ -29,8 +29,10 @@ void note_changed_level(Opened const& opened) {
 }
 
 game::Session session_for(Opened const& opened, game::MethodWish const& wish) {
-    game::MethodWish const whole{wish.name ? wish.name : opened.run.method_name,
-                                 wish.rate ? wish.rate : opened.run.rate};
+    game::MethodWish whole = wish;
+    if (!whole.name) whole.name = opened.run.method_name;
+    // A tolerance that is asked for weighs more than the rate that a run was made with.
+    if (!whole.rate && !whole.tolerance) whole.rate = opened.run.rate;
     if (auto const objection = game::objection_to(whole)) throw std::runtime_error(opened.file + ": " + *objection);
     return game::session_of(opened.level, game::method_for(whole, opened.level->scene), opened.run.inputs, opened.file);
 }

@@ -28,16 +28,16 @@ void declare(CLI::App& command, MethodOptions& options) {
     command.add_option("--method", options.method, "auto, article, steps or exact (default: the run's, else auto)")
         ->type_name("NAME");
     command.add_option("--rate", options.rate, "steps a second (default: the run's, else 240)")->type_name("HZ");
-    command.add_option("--tolerance", options.tolerance, "deepest error wanted; comes with the method exact")
+    command
+        .add_option("--tolerance", options.tolerance, "deepest error wanted (exact keeps any, steps raises its rate)")
         ->type_name("METRES");
 }
 
 game::MethodWish wish_from(MethodOptions const& options) {
-    if (options.tolerance)
-        throw UsageError("--tolerance is not part of this version yet: it comes with the method \"exact\"");
     game::MethodWish wish;
     wish.name = options.method;
     if (options.rate) wish.rate = positive_fraction_from("--rate", *options.rate).value();
+    if (options.tolerance) wish.tolerance = positive_fraction_from("--tolerance", *options.tolerance).value();
     if (auto const objection = game::objection_to(wish)) throw UsageError(*objection);
     return wish;
 }

@@ -132,7 +132,7 @@ void change_method(PlayGame& game) {
     std::string const now = physics::name_of(game.session.method);
     std::size_t const at = static_cast<std::size_t>(std::find(names, names + count, now) - names);
     for (std::size_t i = 1; i <= count; ++i) {
-        game::MethodWish const wish{names[(at + i) % count], game.wish.rate};
+        game::MethodWish const wish{names[(at + i) % count], game.wish.rate, game.wish.tolerance};
         if (game::objection_to(wish)) continue;
         game.wish = wish;
         restart(game);

@@ -1,5 +1,7 @@
 #include "game/method_choice.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "physics/exact.h"
@@ -14,10 +16,19 @@ bool is_method_name(std::string const& name) {
 std::optional<std::string> objection_to(MethodWish const& wish) {
     if (wish.rate && !(*wish.rate >= lowest_rate && *wish.rate <= highest_rate))
         return "the rate must be between 1 and 1000000 steps a second";
+    if (wish.tolerance && !(std::isfinite(*wish.tolerance) && *wish.tolerance > 0))
+        return "the tolerance must be greater than 0 metres";
     if (!wish.name) return std::nullopt;
     if (!is_method_name(*wish.name))
         return "unknown method \"" + *wish.name + "\": choose one of auto, article, steps, exact";
+    if (wish.tolerance && wish.name == "article")
+        return "the method \"article\" keeps no tolerance: its error is of the model, not of the step";
     return std::nullopt;
+}
+
+double rate_within(double tolerance) {
+    double const usual = physics::Steps{}.rate;
+    return std::clamp(usual * std::sqrt(usual_error / tolerance), usual, highest_tolerance_rate);
 }
 
 physics::Method method_for(MethodWish const& wish, physics::Scene const& scene) {
@@ -33,7 +44,7 @@ physics::Method method_for(MethodWish const& wish, physics::Scene const& scene) 
         if (!std::holds_alternative<physics::Steps>(chosen)) return chosen;
     }
     physics::Steps steps;
-    steps.rate = wish.rate.value_or(steps.rate);
+    steps.rate = wish.rate.value_or(wish.tolerance ? rate_within(*wish.tolerance) : steps.rate);
     return steps;
 }
 

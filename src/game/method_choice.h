@@ -11,9 +11,14 @@ namespace game {
 inline constexpr double lowest_rate = 1;     // steps/s: below it a step is longer than any motion worth a look
 inline constexpr double highest_rate = 1e6;  // steps/s: above it a second takes minutes
 
+// How deep `steps` errs at its usual rate; the error falls with the square of the step. Piles overlap as deep.
+inline constexpr double usual_error = 1e-5;            // m
+inline constexpr double highest_tolerance_rate = 1e5;  // steps/s: no tolerance asks for more
+
 struct MethodWish {
-    std::optional<std::string> name;  // "auto", "article", "steps", "exact"; none = auto
-    std::optional<double> rate;       // steps/s; none = the method's own
+    std::optional<std::string> name;       // "auto", "article", "steps", "exact"; none = auto
+    std::optional<double> rate;            // steps/s; none = the method's own
+    std::optional<double> tolerance = {};  // m, the deepest error wanted; none = the method's own
 };
 
 // Whether formats.md knows a method of this name, "auto" included.
@@ -22,6 +27,10 @@ bool is_method_name(std::string const& name);
 // Why no method of that name can be had, or nothing when it can.
 std::optional<std::string> objection_to(MethodWish const& wish);
 
+// The rate at which `steps` keeps a tolerance, its usual one at least.
+double rate_within(double tolerance);  // m -> steps/s
+
+// `exact` keeps any tolerance; `steps` by its rate, unless that is named.
 // Throws std::runtime_error with the objection, if there is one.
 physics::Method method_for(MethodWish const& wish, physics::Scene const& scene);
 
