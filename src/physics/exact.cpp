@@ -13,6 +13,8 @@ namespace {
 
 // Events of different balls nearer than this count as one moment.
 constexpr double moment = 1e-12;  // s
+// Speeds of approach below this share of the speeds are rounding.
+constexpr double speed_rounding = 1e-12;
 
 // One call's view of the world: what does not change, and where legs and events go.
 class Timeline {
@@ -180,9 +182,26 @@ private:
         }
         std::sort(touched.begin(), touched.end());
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-        for (int const b : touched) resolve(b, states[b], no_contact);
+        for (int const b : touched) take(b, after_hit(b, states[b]), world_.time);
         for (int const b : touched) look_for_hits(b);
         return true;
+    }
+
+    // What a hit does to a ball that touches terrain: it lifts, slips, grips or rests, but does not land where it was.
+    Turnout after_hit(int i, State const& state) const {
+        Leg const& before = world_.legs[i];
+        Turnout turnout = resolved(setting(i), state, world_.time, no_contact);
+        if (before.phase == Phase::flight) return turnout;
+        auto& happenings = turnout.happenings;
+        std::erase_if(happenings, [&](Turnout::Happening const& h) {
+            return h.contact == before.contact && h.kind != EventKind::bounce && h.kind != EventKind::lift;
+        });
+        bool const told = std::any_of(happenings.begin(), happenings.end(),
+                                      [&](Turnout::Happening const& h) { return h.contact == before.contact; });
+        Phase const phase = turnout.course.leg.phase;
+        if (!told && phase != before.phase)
+            happenings.push_back({phase == Phase::flight ? EventKind::lift : kind_of(phase), before.contact});
+        return turnout;
     }
 
     std::vector<Pair> closing_pairs() const {
@@ -193,7 +212,10 @@ private:
             Pair const pair{std::min(a, b), std::max(a, b)};
             State const sa = at(world_.legs[pair.a], world_.time), sb = at(world_.legs[pair.b], world_.time);
             double const speeds = geometry::length(sa.velocity) + geometry::length(sb.velocity);
-            if (!(closing_speed(sa, sb) > 1e-12 * speeds)) continue;
+            // Slower than the lowest hop they do not meet any more: they press on each other.
+            double const radius = std::min(scene_.balls[pair.a].radius, scene_.balls[pair.b].radius);
+            double const least = std::sqrt(2 * scene_.gravity * lowest_hop * radius);
+            if (!(closing_speed(sa, sb) > std::max(least, speed_rounding * speeds))) continue;
             bool const known =
                 std::any_of(pairs.begin(), pairs.end(), [&](Pair const& p) { return p.a == pair.a && p.b == pair.b; });
             if (!known) pairs.push_back(pair);

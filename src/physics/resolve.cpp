@@ -40,6 +40,12 @@ struct Struck {
     std::optional<std::size_t> gripped;  // the last support that stopped the slip, if nothing came after
 };
 
+void note_blow(Struck& struck, EventKind kind, Contact contact) {
+    for (Turnout::Happening const& blow : struck.blows)
+        if (blow.contact == contact && blow.kind == kind) return;
+    struck.blows.push_back({kind, contact});
+}
+
 void strike(Setting const& setting, Struck& struck, std::size_t i) {
     Support const& support = struck.supports[i];
     Material const& material = material_of(setting.terrain, support.contact.feature);
@@ -47,26 +53,58 @@ void strike(Setting const& setting, Struck& struck, std::size_t i) {
     ContactSpeeds const after = after_impact(before, material.restitution, material.friction, setting.ball.inertia);
     set_speeds(setting, struck.state, support.normal, after);
     struck.gripped = after.slip() == 0 ? std::optional(i) : std::nullopt;
-    EventKind const kind = after.normal > 0 ? EventKind::bounce : EventKind::land;
-    for (Turnout::Happening const& blow : struck.blows)
-        if (blow.contact == support.contact && blow.kind == kind) return;
-    struck.blows.push_back({kind, support.contact});
+    note_blow(struck, after.normal > 0 ? EventKind::bounce : EventKind::land, support.contact);
+}
+
+// Friction of at most `limit` (m/s) against the slip at a contact.
+void rub(Setting const& setting, State& state, Vec2 const& normal, double limit) {
+    double const k = setting.ball.inertia;
+    ContactSpeeds speeds = speeds_at(setting, state, normal);
+    double const impulse = std::clamp(-speeds.slip() * k / (1 + k), -limit, limit);
+    speeds.tangent += impulse;
+    speeds.rim -= impulse / k;
+    set_speeds(setting, state, normal, speeds);
+}
+
+// The supports that the ball closes on, fastest first.
+std::vector<std::size_t> closing_supports(Struck const& struck) {
+    std::vector<std::size_t> closing;
+    auto const speed = [&](std::size_t i) { return dot(struck.state.velocity, struck.supports[i].normal); };
+    for (std::size_t i = 0; i < struck.supports.size(); ++i)
+        if (speed(i) < -struck.rounding) closing.push_back(i);
+    std::stable_sort(closing.begin(), closing.end(), [&](std::size_t i, std::size_t j) { return speed(i) < speed(j); });
+    return closing;
+}
+
+// Two supports that the ball closes on at once push together, so that neither is the first: a ball that falls into the
+// middle of a groove stays there (physics.md 2.12). False when that would take a pull.
+bool strike_both(Setting const& setting, Struck& struck, std::size_t i, std::size_t j) {
+    Support const& a = struck.supports[i];
+    Support const& b = struck.supports[j];
+    Material const& of_a = material_of(setting.terrain, a.contact.feature);
+    Material const& of_b = material_of(setting.terrain, b.contact.feature);
+    double const cosine = dot(a.normal, b.normal), sine_square = 1 - cosine * cosine;
+    if (sine_square < parallel) return false;
+    double const p = -(1 + of_a.restitution) * dot(struck.state.velocity, a.normal);
+    double const q = -(1 + of_b.restitution) * dot(struck.state.velocity, b.normal);
+    double const push_a = (p - cosine * q) / sine_square, push_b = (q - cosine * p) / sine_square;
+    if (push_a < 0 || push_b < 0) return false;
+    struck.state.velocity += push_a * a.normal + push_b * b.normal;
+    rub(setting, struck.state, a.normal, of_a.friction * push_a);
+    rub(setting, struck.state, b.normal, of_b.friction * push_b);
+    note_blow(struck, of_a.restitution > 0 ? EventKind::bounce : EventKind::land, a.contact);
+    note_blow(struck, of_b.restitution > 0 ? EventKind::bounce : EventKind::land, b.contact);
+    struck.gripped.reset();
+    return true;
 }
 
 // Blows until nothing closes; what would go on for ever ends with the ball standing.
 void strike_all(Setting const& setting, Struck& struck) {
     for (int blow = 0; blow < most_blows; ++blow) {
-        double worst = -struck.rounding;
-        std::optional<std::size_t> closing;
-        for (std::size_t i = 0; i < struck.supports.size(); ++i) {
-            double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
-            if (normal_speed < worst) {
-                worst = normal_speed;
-                closing = i;
-            }
-        }
-        if (!closing) return;
-        strike(setting, struck, *closing);
+        std::vector<std::size_t> const closing = closing_supports(struck);
+        if (closing.empty()) return;
+        if (closing.size() == 2 && strike_both(setting, struck, closing[0], closing[1])) continue;
+        strike(setting, struck, closing.front());
     }
     struck.state.velocity = Vec2::Zero();
 }
@@ -244,7 +282,9 @@ Turnout resolved(Setting const& setting, State const& state, double time, Contac
         turnout.course = flight_course(setting, struck.state, time, known);
     else
         turnout = kept_turnout(setting, struck, kept, time);
-    turnout.happenings.insert(turnout.happenings.begin(), struck.blows.begin(), struck.blows.end());
+    // The first of the bounces that are summed is told with their end.
+    if (turnout.course.ending != Ending::settles)
+        turnout.happenings.insert(turnout.happenings.begin(), struck.blows.begin(), struck.blows.end());
     return turnout;
 }
 

@@ -70,10 +70,6 @@ Turnout ride_on_new_track(Setting const& setting, Rider const& rider, Onset onse
     return ride(setting, rider, ends, onset, since);
 }
 
-EventKind kind_of(Phase phase) {
-    return phase == Phase::rest ? EventKind::rest : phase == Phase::roll ? EventKind::grip : EventKind::slip;
-}
-
 Turnout with_happening(Turnout turnout, EventKind kind, Contact contact) {
     turnout.happenings.insert(turnout.happenings.begin(), {kind, contact});
     return turnout;
@@ -107,7 +103,8 @@ Turnout after_spin(Setting const& setting, Leg const& leg, Outlook const& outloo
     State state = at_span(leg, outlook.duration);
     state.spin = 0;
     Turnout turnout = resolved(setting, state, leg.until, leg.contact);
-    return with_happening(turnout, kind_of(turnout.course.leg.phase), leg.contact);
+    if (turnout.course.leg.phase == Phase::roll) turnout = with_happening(turnout, EventKind::grip, leg.contact);
+    return turnout;
 }
 
 Turnout after_search(Setting const& setting, Leg const& leg, Outlook const& outlook) {

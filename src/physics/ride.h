@@ -19,6 +19,11 @@ struct Turnout {
     std::vector<Happening> happenings;
 };
 
+// The event that begins a phase in contact.
+inline EventKind kind_of(Phase phase) {
+    return phase == Phase::rest ? EventKind::rest : phase == Phase::roll ? EventKind::grip : EventKind::slip;
+}
+
 // At the end of a leg, or of what has been searched of it.
 Turnout after_end(Setting const& setting, Leg const& leg, Outlook const& outlook);
 

@@ -41,8 +41,27 @@ struct SpringSweep {
         geometry::Nearest const nearest = geometry::nearest_point(curve, state.position);
         double const gap = std::max(0.0, nearest.distance - radius);
         if (std::holds_alternative<geometry::Segment>(curve)) return open_time(gap, -rate_from(nearest, state), bound);
-        double const whole = open_time(gap, geometry::length(state.velocity), bound);
-        return std::max(whole, safe_time_to_circle(std::get<Arc>(curve), state));
+        Arc const& arc = std::get<Arc>(curve);
+        double const between = std::max(safe_time_to_circle(arc, state), safe_time_to_offsets(arc, state));
+        double const start = safe_time_to_point(geometry::start_of(curve), state);
+        return std::min({between, start, safe_time_to_point(geometry::end_of(curve), state)});
+    }
+
+    double safe_time_to_point(Vec2 const& point, State const& state) const {
+        Vec2 const out = state.position - point;
+        double const d = geometry::length(out);
+        return d > radius ? open_time(d - radius, -dot(out, state.velocity) / d, bound) : 0;
+    }
+
+    // To the arcs on which the centre is while the ball touches the curve between its ends: no nearer than as the crow
+    // flies.
+    double safe_time_to_offsets(Arc const& arc, State const& state) const {
+        double way = never;
+        for (double const rho : {arc.radius + radius, arc.radius - radius}) {
+            if (rho <= 0) continue;
+            way = std::min(way, geometry::nearest_point(Arc{arc.centre, rho, arc.from, arc.sweep}, state.position).distance);
+        }
+        return open_time(way, geometry::length(state.velocity), bound);
     }
 
     // Whether a ball that touches without closing is pushed on by what it will have done a little later.
