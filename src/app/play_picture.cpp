@@ -16,8 +16,8 @@ std::vector<view::KeyHelp> key_help() {
             {"A  D", "tilt the stage; so do the left and right arrows"},
             {"wheel", "zoom"},
             {"Space", "pause; from the past: back to the present"},
-            {",  .", "look back and forth through the last minutes; Shift: faster"},
-            {"N", "one step while paused; so does . in the present"},
+            {"comma  period", "hold to look back and forth; Shift: faster"},
+            {"N", "one step while paused"},
             {"S", "slow motion"},
             {"R", "from the beginning"},
             {"Tab", "next level; PageDown and PageUp walk through them"},
@@ -35,7 +35,7 @@ std::string badge_of(PlayGame const& game) {
         if (!words.empty()) words += ", ";
         words += word;
     };
-    if (game.looked_at) return view::written(present_time(game) - *game.looked_at, 1) + " s ago";
+    if (game.looked_at) return view::written(present_time(game) - *game.looked_at, 2) + " s ago";
     add(game.replay_end.has_value(), "replay");
     add(game.pace.paused, "paused");
     add(game.pace.speed != 1, "slow motion");
