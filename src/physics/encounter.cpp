@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/polynomial.h"
+#include "physics/course.h"
 #include "physics/impact.h"
 
 namespace physics {
@@ -15,6 +16,7 @@ namespace {
 constexpr double longest_search = 1;     // s, conservative advancement looks this far at a time
 constexpr double gap_accuracy = 1e-13;   // m
 constexpr double blink = 1e-6;           // s, over which a touch without pressure stays one
+constexpr double glimpse = 1e-8;           // s, in which no ball bends back by more than gap_accuracy
 constexpr double rate_rounding = 1e-12;  // share of the speeds below which a rate of approach is rounding
 constexpr int advancement_cap = 4000;
 constexpr int blow_sweeps = 2000;        // Gauss-Seidel sweeps over the pairs of one batch
@@ -63,13 +65,16 @@ Encounter advanced_encounter(Leg const& a, Leg const& b, double reach, double fr
         Approach const now = approach_at(a, b, reach, t);
         double const speeds = geometry::length(at(a, t).velocity) + geometry::length(at(b, t).velocity);
         if (now.gap <= (t == from ? touch_reach : gap_accuracy)) {
-            if (now.rate < -rate_rounding * speeds) return {t, true, false};
-            if (now.rate <= rate_rounding * speeds) {
+            double const least = std::max(rate_rounding * speeds, std::sqrt(2 * bound * lowest_hop * reach));
+            if (now.rate < -least) return {t, true, false};
+            if (now.rate <= least) {
                 Approach const soon = approach_at(a, b, reach, t + blink);
-                if (soon.rate < -rate_rounding * speeds && soon.gap < now.gap) return {t, true, true};
+                if (soon.rate < now.rate && soon.gap < now.gap) return {t, true, true};
                 t += blink;
                 continue;
             }
+            t += std::max(glimpse, open_time(0, now.rate, bound));
+            continue;
         }
         t += open_time(std::max(0.0, now.gap), now.rate, bound);
     }
