@@ -20,6 +20,13 @@ constexpr double half_pi_low = 0x1.3198a2e037073p-69;
 constexpr double log_two_high = 0x1.62e42feep-1;
 constexpr double log_two_low = 0x1.a39ef35793c76p-33;
 
+// As std::floor, which is a call wherever the processor's rounding instruction is not taken for granted.
+double whole_below(double x) {
+    if (!(std::abs(x) < 0x1p52)) return x;
+    double const whole = static_cast<double>(static_cast<std::int64_t>(x));
+    return whole > x ? whole - 1 : whole;
+}
+
 // Taylor series for |x| <= pi/4: what is left out is below 5e-17.
 double sine_near_zero(double x) {
     double const s = x * x;
@@ -74,7 +81,7 @@ constexpr double arctangent_of_eighths[9] = {
 // The angle of (near, far) for 0 <= far <= near: the nearest eighth is taken off, the rest is below 1/16 and has a
 // short series.
 double arctangent_below_one(double far, double near) {
-    int const eighth = static_cast<int>(std::floor(8 * (far / near) + 0.5));
+    int const eighth = static_cast<int>(whole_below(8 * (far / near) + 0.5));
     double const cut = eighth / 8.0;
     double const x = (far - cut * near) / (near + cut * far);
     double const s = x * x;
@@ -94,13 +101,13 @@ double hyperbolic_arctangent_near_zero(double x) {
 
 SineCosine sine_cosine(double angle) {
     if (!std::isfinite(angle)) return {angle - angle, angle - angle};
-    double const quarters = std::floor(angle * (2 / pi) + 0.5);
+    double const quarters = whole_below(angle * (2 / pi) + 0.5);
     double const rest = ((angle - quarters * half_pi_high) - quarters * half_pi_middle) - quarters * half_pi_low;
     // Far beyond the promised range the reduction has no bits left; the clamp keeps the answer on the unit circle.
     double const x = std::clamp(rest, -pi / 3, pi / 3);
     double const sine = sine_near_zero(x);
     double const cosine = cosine_near_zero(x);
-    switch (static_cast<int>(quarters - 4 * std::floor(quarters / 4))) {
+    switch (static_cast<int>(quarters - 4 * whole_below(quarters / 4))) {
         case 0:
             return {sine, cosine};
         case 1:
@@ -116,7 +123,7 @@ double exponential(double x) {
     if (x < -708) return 0;
     if (x > 709) return std::numeric_limits<double>::infinity();
     if (!(x == x)) return x;
-    double const doublings = std::floor(x * 1.44269504088896340736 + 0.5);
+    double const doublings = whole_below(x * 1.44269504088896340736 + 0.5);
     double const high = x - doublings * log_two_high;
     double const low = doublings * log_two_low;
     double const rest = high - low;

@@ -6,14 +6,21 @@ namespace physics {
 
 using geometry::dot;
 
-State state_of(Setting const& setting, Rider const& rider) {
-    Vec2 const normal = normal_at(rider.track, rider.q);
+namespace {
+
+State state_at_place(Setting const& setting, Rider const& rider, TrackPlace const& place) {
     State state;
-    state.position = position_at(rider.track, rider.q);
-    state.velocity = rider.speed * geometry::turned_right(normal);
+    state.position = place.position;
+    state.velocity = rider.speed * geometry::turned_right(place.normal);
     state.angle = rider.angle;
     state.spin = -rider.rim / setting.ball.radius;
     return state;
+}
+
+}  // namespace
+
+State state_of(Setting const& setting, Rider const& rider) {
+    return state_at_place(setting, rider, place_at(rider.track, rider.q));
 }
 
 double sway_speed(Setting const& setting, State const& state) {
@@ -33,9 +40,21 @@ namespace {
 // Components smaller than this share of the field are rounding of its direction: a level floor is level.
 constexpr double level_share = 4e-16;
 
-Vec2 field_at(Setting const& setting, Rider const& rider) {
-    State const state = state_of(setting, rider);
-    return acceleration_in(setting.field, state.position, state.velocity);
+// The field where the rider is, and the normal there.
+struct Push {
+    Vec2 field = Vec2::Zero();   // m/s^2
+    Vec2 normal = Vec2::Zero();  // unit
+};
+Push push_at(Setting const& setting, Rider const& rider) {
+    TrackPlace const place = place_at(rider.track, rider.q);
+    State const state = state_at_place(setting, rider, place);
+    return {acceleration_in(setting.field, state.position, state.velocity), place.normal};
+}
+
+double normal_force_of(Push const& push, Rider const& rider) {
+    double const pressing = -dot(push.field, push.normal);
+    if (rider.track.straight) return pressing;
+    return pressing - rider.track.sense * rider.speed * rider.speed / rider.track.rho;
 }
 
 void add(Law& law, Limit const& limit) { law.limits[law.limit_count++] = limit; }
@@ -97,19 +116,18 @@ double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 }  // namespace
 
 double tangent_acceleration(Setting const& setting, Rider const& rider) {
-    Vec2 const a = field_at(setting, rider);
-    double const along = dot(a, geometry::turned_right(normal_at(rider.track, rider.q)));
-    return std::abs(along) <= level_share * geometry::length(a) ? 0 : along;
+    Push const push = push_at(setting, rider);
+    double const along = dot(push.field, geometry::turned_right(push.normal));
+    return std::abs(along) <= level_share * geometry::length(push.field) ? 0 : along;
 }
 
 double normal_force(Setting const& setting, Rider const& rider) {
-    double const pressing = -dot(field_at(setting, rider), normal_at(rider.track, rider.q));
-    if (rider.track.straight) return pressing;
-    return pressing - rider.track.sense * rider.speed * rider.speed / rider.track.rho;
+    return normal_force_of(push_at(setting, rider), rider);
 }
 
 bool is_pressed(Setting const& setting, Rider const& rider) {
-    return normal_force(setting, rider) > level_share * geometry::length(field_at(setting, rider));
+    Push const push = push_at(setting, rider);
+    return normal_force_of(push, rider) > level_share * geometry::length(push.field);
 }
 
 Law law_for(Setting const& setting, Rider const& rider, Onset onset) {

@@ -1,4 +1,5 @@
 // Circular tracks: the motion as power series in time, to machine precision in one stride (physics.md 2.6 to 2.9).
+#include <array>
 #include <cmath>
 
 #include "geometry/elementary.h"
@@ -33,11 +34,14 @@ double product_term(Series const& a, Series const& b, int n) {
     return sum;
 }
 
-// (n+1)-th coefficient of the antiderivative of (d angle/dt) * b.
-double chain_term(Series const& angle, Series const& b, int n) {
-    double sum = 0;
-    for (int j = 0; j <= n; ++j) sum += (j + 1) * angle[j + 1] * b[n - j];
-    return sum / (n + 1);
+// (n+1)-th coefficients of the sine and cosine of an angle, from its rate's and their own up to the n-th.
+geometry::SineCosine chain_terms(Series const& rate, Expansion const& x, int n) {
+    double sine = 0, cosine = 0;
+    for (int j = 0; j <= n; ++j) {
+        sine += rate[j] * x.cosine[n - j];
+        cosine += rate[j] * x.sine[n - j];
+    }
+    return {sine / (n + 1), -(cosine / (n + 1))};
 }
 
 Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& law) {
@@ -54,6 +58,7 @@ Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& la
     x.cosine[0] = cosine;
     x.speed[0] = rider.speed;
     x.rim[0] = rider.rim;
+    Series rate{};  // of phi
     for (int n = 0; n <= order; ++n) {
         double const outward = constant.x() * x.cosine[n] + constant.y() * x.sine[n] - (n == 0 ? radial : 0);
         x.force[n] = -s * (product_term(x.speed, x.speed, n) / track.rho + outward);
@@ -64,29 +69,43 @@ Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& la
         x.rim[n + 1] = law.phase == Phase::slide ? law.gamma * x.force[n] / (n + 1) : x.speed[n + 1];
         x.way[n + 1] = x.speed[n] / (n + 1);
         x.phi[n + 1] = -s * x.way[n + 1] / track.rho;
-        x.sine[n + 1] = chain_term(x.phi, x.cosine, n);
-        x.cosine[n + 1] = -chain_term(x.phi, x.sine, n);
+        rate[n] = (n + 1) * x.phi[n + 1];
+        auto const [next_sine, next_cosine] = chain_terms(rate, x, n);
+        x.sine[n + 1] = next_sine;
+        x.cosine[n + 1] = next_cosine;
     }
     return x;
 }
 
-double power(double base, int exponent) {
+constexpr double power(double base, int exponent) {
     double result = 1;
     for (; exponent > 0; exponent >>= 1, base *= base)
         if (exponent & 1) result *= base;
     return result;
 }
 
-// The longest stride of a fixed set of lengths at which the terms left out do not show.
+// Strides are of a fixed set of lengths, each with its power for the term before the last.
+struct Stride {
+    double length = 0;  // s
+    double power = 0;
+};
+constexpr std::array<Stride, 200> strides = [] {
+    std::array<Stride, 200> all;
+    double length = longest_stride;
+    for (Stride& stride : all) {
+        stride = {length, power(length, order - 1)};
+        length *= 0.84;
+    }
+    return all;
+}();
+
+// The longest stride at which the terms left out do not show.
 double stride_of(Expansion const& x, double rho) {
     double const size = truncation * (1 + std::abs(x.phi[1]));
     double const last = std::abs(x.speed[order]) / rho, before = std::abs(x.speed[order - 1]) / rho;
-    double stride = longest_stride;
-    for (int i = 0; i < 200; ++i, stride *= 0.84) {
-        double const p = power(stride, order - 1);
-        if (last * p * stride <= size && before * p <= size) break;
-    }
-    return stride;
+    for (Stride const& stride : strides)
+        if (last * stride.power * stride.length <= size && before * stride.power <= size) return stride.length;
+    return strides.back().length;
 }
 
 Series combined(double a, Series const& x, double b, Series const& y) {

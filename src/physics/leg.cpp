@@ -47,25 +47,18 @@ State state_on(LineSwing const& m, double t) {
     return state;
 }
 
-struct Value {
-    double value = 0;
-    double rate = 0;
-};
-Value series_at(Series const& series, double t) {
-    Value v;
-    for (std::size_t i = series.size(); i-- > 0;) {
-        v.rate = v.rate * t + v.value;
-        v.value = v.value * t + series[i];
-    }
-    return v;
-}
-
+// Both series side by side: each is a chain of sums that wait for each other, and two chains take no longer than one.
 State state_on(CircleRun const& m, double t) {
     CircleSeries const& s = *m.series;
-    Value const phi = series_at(s.phi, t);
-    Value const angle = series_at(s.angle, t);
-    auto const [sine, cosine] = geometry::sine_cosine(phi.value);
-    return {s.centre + s.rho * Vec2(cosine, sine), (s.rho * phi.rate) * Vec2(-sine, cosine), angle.value, angle.rate};
+    double phi = 0, phi_rate = 0, angle = 0, angle_rate = 0;
+    for (std::size_t i = s.phi.size(); i-- > 0;) {
+        phi_rate = phi_rate * t + phi;
+        angle_rate = angle_rate * t + angle;
+        phi = phi * t + s.phi[i];
+        angle = angle * t + s.angle[i];
+    }
+    auto const [sine, cosine] = geometry::sine_cosine(phi);
+    return {s.centre + s.rho * Vec2(cosine, sine), (s.rho * phi_rate) * Vec2(-sine, cosine), angle, angle_rate};
 }
 
 // The largest |displacement| of a swing from `start` on, for all time.

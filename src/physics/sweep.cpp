@@ -76,15 +76,16 @@ public:
           skipped_(skipped),
           rates_(rate_scale_of(path)) {}
 
-    void meet_piece(int index, double until) {
+    // `near` holds all that the ball can touch until then.
+    void meet_piece(int index, Box const& near, double until) {
         if (!skipped_.has(index)) {
             if (auto const* segment = std::get_if<Segment>(&terrain_.pieces[index].curve))
                 meet_segment(index, *segment, until);
             else
                 meet_arc(index, std::get<Arc>(terrain_.pieces[index].curve), until);
         }
-        meet_end(index, terrain_.start_vertex[index], until);
-        meet_end(index, terrain_.end_vertex[index], until);
+        meet_end(index, terrain_.start_vertex[index], near, until);
+        meet_end(index, terrain_.end_vertex[index], near, until);
     }
 
     Obstacle first;
@@ -150,11 +151,11 @@ private:
         return std::abs(wider.sweep) >= 2 * geometry::pi || geometry::spans(wider, angle);
     }
 
-    void meet_end(int index, int vertex, double until) {
+    void meet_end(int index, int vertex, Box const& near, double until) {
         if (vertex < 0 || terrain_.vertices[vertex].spokes.front().piece != index) return;
         int const feature = terrain_.feature_of_vertex(vertex);
         Vertex const& v = terrain_.vertices[vertex];
-        if (v.cone_width == 0 || skipped_.has(feature)) return;
+        if (v.cone_width == 0 || skipped_.has(feature) || !overlap(near, {v.point, v.point})) return;
         meet_circle(v.point, radius_, 1, {feature, 1}, until, [&](Vec2 const& out) { return exposes(v, out); });
     }
 
@@ -235,8 +236,8 @@ Obstacle first_obstacle(Terrain const& terrain, Parabola const& path, double rad
         if (gone(terrain, now, radius)) break;
         double const to = std::min(until, from + time_for(now, way));
         if (to == never || !(to > from)) break;
-        terrain.tree.each_overlapping(grown(box_of_path(path, from, to), radius + touch_reach),
-                                      [&](int piece) { sweep.meet_piece(piece, to); });
+        Box const near = grown(box_of_path(path, from, to), radius + touch_reach);
+        terrain.tree.each_overlapping(near, [&](int piece) { sweep.meet_piece(piece, near, to); });
         if (sweep.first.time <= to) return sweep.first;
         from = to;
         way *= 2;

@@ -184,10 +184,13 @@ Vec2 normal_at(Track const& track, double q) {
     return {track.sense * cosine, track.sense * sine};
 }
 
-Vec2 position_at(Track const& track, double q) {
-    if (track.straight) return track.origin + q * track.along;
-    return track.origin + (track.sense * track.rho) * normal_at(track, q);
+TrackPlace place_at(Track const& track, double q) {
+    Vec2 const normal = normal_at(track, q);
+    if (track.straight) return {track.origin + q * track.along, normal};
+    return {track.origin + (track.sense * track.rho) * normal, normal};
 }
+
+Vec2 position_at(Track const& track, double q) { return place_at(track, q).position; }
 
 double nearest_coordinate(Track const& track, Vec2 const& centre) {
     Vec2 const from_origin = centre - track.origin;

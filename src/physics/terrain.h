@@ -91,6 +91,11 @@ struct Track {
 bool fits(Terrain const& terrain, Contact contact, double radius);
 Track track_of(Terrain const& terrain, Contact contact, double radius);
 
+struct TrackPlace {
+    Vec2 position = Vec2::Zero();  // m, the centre
+    Vec2 normal = Vec2::Zero();    // unit
+};
+TrackPlace place_at(Track const& track, double q);
 Vec2 normal_at(Track const& track, double q);
 Vec2 position_at(Track const& track, double q);
 double nearest_coordinate(Track const& track, Vec2 const& centre);
