@@ -11,8 +11,9 @@ namespace game {
 inline constexpr double lowest_rate = 1;     // steps/s: below it a step is longer than any motion worth a look
 inline constexpr double highest_rate = 1e6;  // steps/s: above it a second takes minutes
 
-// How deep `steps` errs at its usual rate; the error falls with the square of the step. Piles overlap as deep.
-inline constexpr double usual_error = 1e-5;            // m
+// How far `steps` errs at its usual rate in smooth motion; the error falls with the square of the step. Most of it is
+// the straight line between two steps, which leaves a parabola under gravity by g / (8 rate^2).
+inline constexpr double usual_error = 2.5e-5;          // m
 inline constexpr double highest_tolerance_rate = 1e5;  // steps/s: no tolerance asks for more
 
 struct MethodWish {

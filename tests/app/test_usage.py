@@ -62,13 +62,13 @@ class Usage(ProgramTest):
         self.assert_fails(2, "play", self.small_level, "--renderer", "crayon")
 
     def test_a_tolerance_raises_the_rate_of_steps_unless_that_is_named_and_leaves_exact_as_it_is(self):
-        # The error falls with the square of the step: a hundredth of the usual 1e-5 m asks for ten times 240 Hz.
+        # The error falls with the square of the step: a hundredth of the usual 2.5e-5 m asks for ten times 240 Hz.
         trace = lambda *words: self.done("simulate", self.small_level, "--to", "0.2", *words)
-        self.assertEqual(trace("--method", "steps", "--tolerance", "1e-7"),
+        self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7"),
                          trace("--method", "steps", "--rate", "2400"))
-        self.assertEqual(trace("--method", "steps", "--tolerance", "1e-7", "--rate", "100"),
+        self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7", "--rate", "100"),
                          trace("--method", "steps", "--rate", "100"))
-        self.assertEqual(trace("--tolerance", "1e-7"), trace())
+        self.assertEqual(trace("--tolerance", "2.5e-7"), trace())
         self.assertEqual(trace("--method", "exact", "--tolerance", "1"), trace("--method", "exact"))
         self.assert_fails(2, "simulate", self.small_level, "--method", "article", "--tolerance", "1e-3", says="article")
 
