@@ -36,20 +36,6 @@ void step_handed_over(Scene const& scene, World& world, History& history) {
     advance_with(Steps{handover_rate}, scene, world, next, history);
 }
 
-bool is_apart(Scene const& scene, World const& world) {
-    if (world.time - world.handover_time < shortest_handover) return false;
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-        for (std::size_t j = i + 1; j < scene.balls.size(); ++j) {
-            Ball const& a = scene.balls[i];
-            Ball const& b = scene.balls[j];
-            Vec2 const way = at(world.legs[j], world.time).position - at(world.legs[i], world.time).position;
-            double const gap = geometry::length(way) - a.radius - b.radius;
-            if (gap < takeover_gap * std::min(a.radius, b.radius)) return false;
-        }
-    }
-    return true;
-}
-
 namespace {
 
 State on_track(Scene const& scene, World const& world, int ball, State const& state, Contact contact) {
@@ -80,6 +66,41 @@ Retaken taken_back(Scene const& scene, World const& world) {
         retaken.contacts.push_back(contact);
     }
     return retaken;
+}
+
+namespace {
+
+bool balls_are_apart(Scene const& scene, World const& world) {
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        for (std::size_t j = i + 1; j < scene.balls.size(); ++j) {
+            Ball const& a = scene.balls[i];
+            Ball const& b = scene.balls[j];
+            Vec2 const way = at(world.legs[j], world.time).position - at(world.legs[i], world.time).position;
+            double const gap = geometry::length(way) - a.radius - b.radius;
+            if (gap < takeover_gap * std::min(a.radius, b.radius)) return false;
+        }
+    }
+    return true;
+}
+
+// Put on its one surface, a ball must not reach into another: between two it is left to the steps.
+bool is_clear(Terrain const& terrain, Vec2 const& centre, double radius) {
+    bool clear = true;
+    Vec2 const reach = Vec2::Constant(radius);
+    terrain.tree.each_overlapping({centre - reach, centre + reach}, [&](int piece) {
+        clear = clear && nearest_point(terrain.pieces[piece].curve, centre).distance >= radius - touch_reach;
+    });
+    return clear;
+}
+
+}  // namespace
+
+bool is_apart(Scene const& scene, World const& world) {
+    if (world.time - world.handover_time < shortest_handover || !balls_are_apart(scene, world)) return false;
+    Retaken const retaken = taken_back(scene, world);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i)
+        if (!is_clear(scene.terrain, retaken.states[i].position, scene.balls[i].radius)) return false;
+    return true;
 }
 
 }  // namespace physics

@@ -13,7 +13,7 @@ void hand_over(Scene const& scene, World& world, History& history);
 // One step of a world that is handed over.
 void step_handed_over(Scene const& scene, World& world, History& history);
 
-// Whether no ball is near another any more, and the handover has lasted a while.
+// Whether no ball is near another any more or between two surfaces, and the handover has lasted a while.
 bool is_apart(Scene const& scene, World const& world);
 
 struct Retaken {

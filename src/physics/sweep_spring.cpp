@@ -13,7 +13,7 @@ using geometry::dot;
 namespace {
 
 constexpr double gap_accuracy = 1e-13;  // m, how near counts as met
-constexpr int advancement_cap = 4000;   // steps; a grazing hit takes a few hundred
+constexpr int advancement_cap = 20000;  // steps; grazing an end at a joint's least turn takes a few thousand
 // Shares of the spring's time 1/omega: a ball that lifts by acceleration alone goes on lifting for the first, and no
 // path bends back by more than gap_accuracy in the second.
 constexpr double lifting = 1e-3;
@@ -59,7 +59,8 @@ struct SpringSweep {
         double way = never;
         for (double const rho : {arc.radius + radius, arc.radius - radius}) {
             if (rho <= 0) continue;
-            way = std::min(way, geometry::nearest_point(Arc{arc.centre, rho, arc.from, arc.sweep}, state.position).distance);
+            way = std::min(way,
+                           geometry::nearest_point(Arc{arc.centre, rho, arc.from, arc.sweep}, state.position).distance);
         }
         return open_time(way, geometry::length(state.velocity), bound);
     }
