@@ -45,12 +45,13 @@ struct Box2dWorld {
     b2World world;
     std::vector<b2Body*> balls;
 
-    explicit Box2dWorld(physics::Scene const& scene) : world({0, static_cast<float>(-scene.gravity)}) {
+    explicit Box2dWorld(physics::Scene const& scene, int pieces = peer_pieces)
+        : world({0, static_cast<float>(-scene.gravity)}) {
         bool const alone = scene.balls.size() == 1;
         double const friction = alone ? 1 : scene.balls[0].friction;
         b2BodyDef nailed;
         b2Body* const ground = world.CreateBody(&nailed);
-        for (Chain const& chain : chains_of(scene)) add_chain(*ground, chain, friction);
+        for (Chain const& chain : chains_of(scene, pieces)) add_chain(*ground, chain, friction);
         for (Boulder const& boulder : boulders_of(scene)) {
             b2CircleShape disc;
             disc.m_p = vector_of(boulder.arc.centre);
@@ -85,7 +86,8 @@ struct Box2dWorld {
 
 class Box2dEngine : public Engine {
 public:
-    Box2dEngine(double rate, Task const& task) : rate_(rate), box_(task.scene) {
+    Box2dEngine(Contestant const& contestant, Task const& task)
+        : rate_(contestant.rate), box_(task.scene, contestant.pieces) {
         if (task.pull) pull(task);
     }
     std::vector<Vec2> positions_at(std::vector<double> const& times) override {
@@ -134,7 +136,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> box2d_engine(Contestant const& contestant, Task const& task) {
-    return std::make_unique<Box2dEngine>(contestant.rate, task);
+    return std::make_unique<Box2dEngine>(contestant, task);
 }
 
 std::unique_ptr<Pile> box2d_pile(physics::Scene const& scene, int iterations) {

@@ -33,11 +33,11 @@ struct ChipmunkWorld {
     std::vector<cpShape*> shapes;
     cpConstraint* spring = nullptr;
 
-    explicit ChipmunkWorld(physics::Scene const& scene) {
+    explicit ChipmunkWorld(physics::Scene const& scene, int pieces = peer_pieces) {
         cpSpaceSetGravity(space, cpv(0, -scene.gravity));
         cpSpaceSetCollisionSlop(space, slop);
         Share const share = share_of(scene);
-        for (Chain const& chain : chains_of(scene)) add_chain(chain, share);
+        for (Chain const& chain : chains_of(scene, pieces)) add_chain(chain, share);
         for (Boulder const& boulder : boulders_of(scene))
             add_ground(cpCircleShapeNew(cpSpaceGetStaticBody(space), boulder.arc.radius, vector_of(boulder.arc.centre)),
                        boulder.material, share);
@@ -101,7 +101,8 @@ struct ChipmunkWorld {
 
 class ChipmunkEngine : public Engine {
 public:
-    ChipmunkEngine(double rate, Task const& task) : rate_(rate), chipmunk_(task.scene) {
+    ChipmunkEngine(Contestant const& contestant, Task const& task)
+        : rate_(contestant.rate), chipmunk_(task.scene, contestant.pieces) {
         if (!task.pull) return;
         double const omega = 2 * geometry::pi * task.scene.drag.frequency, mass = task.scene.balls[0].mass;
         chipmunk_.spring = cpSpaceAddConstraint(
@@ -144,7 +145,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> chipmunk_engine(Contestant const& contestant, Task const& task) {
-    return std::make_unique<ChipmunkEngine>(contestant.rate, task);
+    return std::make_unique<ChipmunkEngine>(contestant, task);
 }
 
 std::unique_ptr<Pile> chipmunk_pile(physics::Scene const& scene, int iterations) {

@@ -34,11 +34,11 @@ std::vector<Boulder> boulders_of(physics::Scene const& scene) {
     return boulders;
 }
 
-std::vector<Chain> chains_of(physics::Scene const& scene) {
+std::vector<Chain> chains_of(physics::Scene const& scene, int pieces_of_an_arc) {
     std::vector<Chain> chains;
     for (physics::Piece const& piece : scene.terrain.pieces) {
         if (is_boulder(scene, piece)) continue;
-        std::vector<Vec2> const corners = corners_of(piece.curve, peer_pieces);
+        std::vector<Vec2> const corners = corners_of(piece.curve, pieces_of_an_arc);
         if (chains.empty() || geometry::length(chains.back().corners.back() - corners.front()) > physics::vertex_reach)
             chains.push_back({{corners.front()}, piece.material});
         auto& chain = chains.back().corners;
@@ -56,14 +56,24 @@ std::vector<Contestant> peers(std::vector<double> const& rates) {
     std::vector<Contestant> all;
 #ifdef SMB2D_BOX2D
     for (double const rate : rates)
-        all.push_back({"Box2D", std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, 0, box2d_engine});
+        all.push_back(
+            {"Box2D", std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, peer_pieces, box2d_engine});
 #endif
 #ifdef SMB2D_CHIPMUNK
     for (double const rate : rates)
-        all.push_back(
-            {"Chipmunk", std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, 0, chipmunk_engine});
+        all.push_back({"Chipmunk", std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, peer_pieces,
+                       chipmunk_engine});
 #endif
     static_cast<void>(rates);
+    return all;
+}
+
+std::vector<Contestant> peers_on_finer_pieces(std::vector<double> const& rates) {
+    std::vector<Contestant> all = peers(rates);
+    for (Contestant& peer : all) {
+        peer.method += " on finer pieces";
+        peer.pieces = finer_peer_pieces;
+    }
     return all;
 }
 

@@ -24,17 +24,19 @@ struct Contestant {
     std::string setting;  // for people
     double rate = 0;      // steps/s; 0 = has none
     bool recommended = false;
-    int pieces = 0;  // arcs are broken into so many chords first; 0 = they are left
+    int pieces = 0;  // arcs are broken into so many chords; 0 = as the method does by itself
     std::unique_ptr<Engine> (*start)(Contestant const&, Task const&) = nullptr;
 };
 
 // Those of `rates` for each; rates are multiples of 60.
 std::vector<Contestant> our_methods(std::vector<double> const& rates);
 std::vector<Contestant> peers(std::vector<double> const& rates);
+std::vector<Contestant> peers_on_finer_pieces(std::vector<double> const& rates);
 
 physics::Method method_of(Contestant const& contestant);
 
-inline constexpr int peer_pieces = 512;  // of an arc, for engines that know none
+// Of an arc, for engines that know none.
+inline constexpr int peer_pieces = 512, finer_peer_pieces = 2048;
 
 // The terrain as open or closed chains of corners with the material of their first piece, the balls to the left.
 struct Chain {
@@ -42,7 +44,7 @@ struct Chain {
     physics::Material material;
     bool closed = false;  // the last corner is the first
 };
-std::vector<Chain> chains_of(physics::Scene const& scene);
+std::vector<Chain> chains_of(physics::Scene const& scene, int pieces_of_an_arc);
 
 // An arc that the balls meet from outside can be a whole disc to an engine that knows discs.
 struct Boulder {

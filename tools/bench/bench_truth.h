@@ -16,7 +16,7 @@ std::vector<Moment> truth_on_spring(Task const& task);
 
 // Rolling with full grip inside or outside a circle, then in flight once nothing presses (2.6): Runge-Kutta of order 4
 // with this many steps a frame; the time of lift-off by bisection.
-inline constexpr int integration_steps = 96;
+inline constexpr int integration_steps = 192;
 std::vector<Moment> truth_on_circle(Task const& task, geometry::Arc const& arc,
                                     int steps_per_frame = integration_steps);
 
