@@ -1,70 +1,14 @@
 // Contacts under the exact method: grips, grooves, wedges, hits, and random scenes that must keep to the laws.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
-#include <doctest/doctest.h>
-
+#include "exact_stage.h"
 #include "geometry/elementary.h"
-#include "physics/method.h"
 
-namespace {
-
-using namespace physics;
+using namespace stage;
 using geometry::Arc;
 using geometry::pi;
-using geometry::Segment;
-
-constexpr double full_grip = std::numeric_limits<double>::infinity();
-
-Piece line(Vec2 const& from, Vec2 const& to, Material const& material = {}) { return {Segment{from, to}, material, 0}; }
-
-Ball disc(double radius, Vec2 const& position, Vec2 const& velocity = Vec2::Zero(), double spin = 0) {
-    Ball ball;
-    ball.radius = radius;
-    ball.start = {position, velocity, 0, spin};
-    return ball;
-}
-
-struct Stage {
-    Scene scene;
-    History history;
-    World world;
-
-    Stage(std::vector<Piece> pieces, std::vector<Ball> balls, double gravity = 9.81) {
-        scene.terrain = terrain_of(std::move(pieces));
-        scene.balls = std::move(balls);
-        scene.gravity = gravity;
-        world = world_at_start(Exact{}, scene, history);
-    }
-    void to(double time) { REQUIRE_FALSE(advance(Exact{}, scene, world, time, history)); }
-    State now(int ball = 0) const { return state_at(history, ball, world.time); }
-    int count(EventKind kind) const {
-        return static_cast<int>(std::count_if(history.events.begin(), history.events.end(),
-                                              [&](Event const& e) { return e.kind == kind; }));
-    }
-    double clearance() const {
-        double least = 1;
-        for (std::size_t i = 0; i < scene.balls.size(); ++i)
-            for (Piece const& piece : scene.terrain.pieces)
-                least = std::min(least, nearest_point(piece.curve, now(static_cast<int>(i)).position).distance -
-                                            scene.balls[i].radius);
-        return least;
-    }
-    double energy() const {
-        double sum = 0;
-        for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-            Ball const& b = scene.balls[i];
-            State const s = now(static_cast<int>(i));
-            sum += b.mass * (0.5 * geometry::dot(s.velocity, s.velocity) +
-                             0.5 * b.inertia * b.radius * b.radius * s.spin * s.spin + scene.gravity * s.position.y());
-        }
-        return sum;
-    }
-};
-
-}  // namespace
 
 TEST_CASE("a ball that slips where it touches full grip rolls at once, v' = (v + k s)/(1 + k)") {
     Stage start({line({0, 0}, {40, 0}, {full_grip, 0, 0})}, {disc(0.5, {5, 0.5}, {3, 0})});
@@ -90,9 +34,7 @@ TEST_CASE("a ball pulled into the wedge of a floor and an arc stops there") {
     Stage stage({line({0, 0}, {10, 0}), {Arc{{12, 0}, 2, pi, -pi}, {}, 0}}, {disc(0.5, {5, 0.5})});
     stage.scene.drag = {10, 2};
     stage.to(0.5);
-    Forces forces;
-    forces.pull = Pull{0, {14, -2}};
-    REQUIRE_FALSE(apply(Exact{}, stage.scene, stage.world, forces, stage.history));
+    stage.pull(Pull{0, {14, -2}});
     for (int i = 1; i <= 200; ++i) {
         stage.to(0.5 + 0.02 * i);
         REQUIRE(stage.clearance() >= -1e-9);

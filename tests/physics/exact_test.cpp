@@ -5,16 +5,14 @@
 #include <limits>
 #include <random>
 
-#include <doctest/doctest.h>
-
+#include "exact_stage.h"
 #include "geometry/elementary.h"
 #include "physics/exact.h"
-#include "physics/method.h"
 #include "physics/predict.h"
 
 namespace {
 
-using namespace physics;
+using namespace stage;
 using geometry::Arc;
 using geometry::pi;
 using geometry::Segment;
@@ -24,43 +22,6 @@ constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
-
-constexpr double full_grip = std::numeric_limits<double>::infinity();
-
-Piece line(double x1, double y1, double x2, double y2, Material const& material = {}) {
-    return {Segment{{x1, y1}, {x2, y2}}, material, 0};
-}
-
-Ball disc(double radius, Vec2 const& position, Vec2 const& velocity = Vec2::Zero(), double spin = 0) {
-    Ball ball;
-    ball.radius = radius;
-    ball.start = {position, velocity, 0, spin};
-    return ball;
-}
-
-struct Stage {
-    Scene scene;
-    History history;
-    World world;
-
-    Stage(std::vector<Piece> pieces, std::vector<Ball> balls, double gravity = 9.81) {
-        scene.terrain = terrain_of(std::move(pieces));
-        scene.balls = std::move(balls);
-        scene.gravity = gravity;
-        world = world_at_start(Exact{}, scene, history);
-    }
-    void to(double time) { REQUIRE_FALSE(advance(Exact{}, scene, world, time, history)); }
-    void pull(std::optional<Pull> const& pulled) {
-        Forces forces = world.forces;
-        forces.pull = pulled;
-        REQUIRE_FALSE(apply(Exact{}, scene, world, forces, history));
-    }
-    State now(int ball = 0) const { return at(world.legs[ball], world.time); }
-    int count(EventKind kind) const {
-        return static_cast<int>(std::count_if(history.events.begin(), history.events.end(),
-                                              [&](Event const& e) { return e.kind == kind; }));
-    }
-};
 
 bool same_bits(State const& a, State const& b) {
     double const p[] = {a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), a.angle, a.spin};
@@ -81,11 +42,6 @@ std::vector<Piece> course(double turn, Vec2 const& shift, double scale, double r
             segment(6, 0, 12, 0),
             segment(12, 0, 12, 6),
             segment(-4, 4, -4, 8)};
-}
-
-double kinetic_and_potential(Ball const& ball, State const& s, double gravity) {
-    return ball.mass * (0.5 * geometry::dot(s.velocity, s.velocity) +
-                        0.5 * ball.inertia * ball.radius * ball.radius * s.spin * s.spin + gravity * s.position.y());
 }
 
 }  // namespace
@@ -138,12 +94,12 @@ TEST_CASE("a turned and scaled copy moves the same") {
 
 TEST_CASE("elastic bounces among fixed discs: no overlap, no drift of energy") {
     Material const elastic{0, 1, 0};
-    std::vector<Piece> pieces{line(0, 0, 8, 0, elastic), line(8, 0, 8, 6, elastic), line(8, 6, 0, 6, elastic),
-                              line(0, 6, 0, 0, elastic)};
+    std::vector<Piece> pieces{line({0, 0}, {8, 0}, elastic), line({8, 0}, {8, 6}, elastic),
+                              line({8, 6}, {0, 6}, elastic), line({0, 6}, {0, 0}, elastic)};
     for (int i = 0; i < 8; ++i)
         pieces.push_back({Arc{{1.5 + 1.7 * (i % 4), 2.0 + 2.1 * (i / 4)}, 0.3 + 0.04 * i, 0, 2 * pi}, elastic, 0});
     Stage stage(pieces, {disc(0.2, {0.6, 0.7}, {3.1, 2.3}, 1)}, 0);
-    double const before = kinetic_and_potential(stage.scene.balls[0], stage.now(), 0);
+    double const before = energy_of(stage.scene.balls[0], stage.now(), 0);
     long long const wanted = sanitized ? 20'000 : 2'000'000;
     long long bounces = 0;
     double deepest = 0;
@@ -159,7 +115,7 @@ TEST_CASE("elastic bounces among fixed discs: no overlap, no drift of energy") {
         stage.history.events.clear();
     }
     CHECK(deepest <= 1e-11);
-    CHECK(std::abs(kinetic_and_potential(stage.scene.balls[0], stage.now(), 0) / before - 1) <= 1e-9);
+    CHECK(std::abs(energy_of(stage.scene.balls[0], stage.now(), 0) / before - 1) <= 1e-9);
 }
 
 TEST_CASE("bounces that never end come to rest at their limit") {
@@ -167,7 +123,7 @@ TEST_CASE("bounces that never end come to rest at their limit") {
     for (double const e : {0.35, 0.8, 0.99}) {
         CAPTURE(e);
         double const height = 1.3;
-        Stage stage({line(-5, 0, 5, 0, {0.7, e, 0})}, {disc(0.5, {0, 0.5 + height})});
+        Stage stage({line({-5, 0}, {5, 0}, {0.7, e, 0})}, {disc(0.5, {0, 0.5 + height})});
         double const rest = std::sqrt(2 * height / 9.81) * (1 + e) / (1 - e);
         stage.to(rest + 1);
         CHECK(stage.history.events.back().kind == EventKind::rest);
@@ -178,7 +134,7 @@ TEST_CASE("bounces that never end come to rest at their limit") {
 }
 
 TEST_CASE("ten minutes at rest leave every bit where it was") {
-    std::vector<Piece> const groove{line(-3, 3, 0, 0), line(0, 0, 3, 3)};
+    std::vector<Piece> const groove{line({-3, 3}, {0, 0}), line({0, 0}, {3, 3})};
     Stage stage(groove, {disc(0.5, {0, 0.5 * std::sqrt(2.0)})});
     State const before = stage.now();
     stage.to(600);
@@ -195,7 +151,7 @@ TEST_CASE("five touching balls pass the blow to the last, in either order of cre
             ball.friction = 0;
         }
         if (reversed) std::reverse(balls.begin(), balls.end());
-        Stage stage({line(-50, 0, 50, 0, {0, 0, 0})}, balls);
+        Stage stage({line({-50, 0}, {50, 0}, {0, 0, 0})}, balls);
         stage.to(2);
         for (int i = 0; i < 6; ++i) {
             double const expected = i == (reversed ? 0 : 5) ? 2 : 0;
@@ -229,12 +185,12 @@ TEST_CASE("balls that come to rest on each other are handed over, and taken back
     // Three lie in a pyramid and roll apart, each on its way.
     std::vector<Ball> balls{disc(0.3, {-0.3, 0.3}), disc(0.3, {0.3, 0.3}), disc(0.3, {0, 0.3 + 0.3 * std::sqrt(3.0)})};
     for (Ball& ball : balls) ball.friction = 0;
-    Stage stage({line(-50, 0, 50, 0)}, balls);
+    Stage stage({line({-50, 0}, {50, 0})}, balls);
     int const count = static_cast<int>(balls.size());
     double before = 0, after = 0;
-    for (int i = 0; i < count; ++i) before += kinetic_and_potential(balls[i], stage.now(i), 9.81);
+    for (int i = 0; i < count; ++i) before += energy_of(balls[i], stage.now(i), 9.81);
     stage.to(10);
-    for (int i = 0; i < count; ++i) after += kinetic_and_potential(balls[i], stage.now(i), 9.81);
+    for (int i = 0; i < count; ++i) after += energy_of(balls[i], stage.now(i), 9.81);
     CHECK(stage.count(EventKind::handover) >= 1);
     CHECK(stage.count(EventKind::takeover) >= 1);
     CHECK(after <= before);
@@ -267,7 +223,7 @@ TEST_CASE("nothing passes a line however fast it comes") {
     std::uniform_real_distribution<double> angle(-1.5, 1.5), exponent(0, 5);
     for (int i = 0; i < (sanitized ? 2'000 : 100'000); ++i) {
         double const a = angle(random), speed = std::pow(10, exponent(random));
-        Stage stage({line(0, -1e6, 0, 1e6, {0.5, 0.3, 0})},
+        Stage stage({line({0, -1e6}, {0, 1e6}, {0.5, 0.3, 0})},
                     {disc(0.5, {-1, 0}, {speed * std::cos(a), speed * std::sin(a)})}, 0);
         stage.to(1);
         REQUIRE(stage.now().position.x() <= -0.5 + 1e-9);
@@ -275,7 +231,7 @@ TEST_CASE("nothing passes a line however fast it comes") {
 }
 
 TEST_CASE("numbers that are not finite are refused and change nothing") {
-    Stage stage({line(-5, 0, 5, 0)}, {disc(0.5, {0, 2})});
+    Stage stage({line({-5, 0}, {5, 0})}, {disc(0.5, {0, 2})});
     stage.to(0.1);
     State const before = stage.now();
     double const nan = std::numeric_limits<double>::quiet_NaN();
@@ -297,7 +253,7 @@ TEST_CASE("numbers that are not finite are refused and change nothing") {
 TEST_CASE("starts and targets of any size end, and stay finite") {
     for (double const size : {1e-300, 1e-9, 1.0, 1e6, 1e300}) {
         CAPTURE(size);
-        Stage stage({line(-5, 0, 5, 0), line(5, 0, 5, 5), line(-5, 0, -5, 5)}, {disc(0.5, {0, 0.5})});
+        Stage stage({line({-5, 0}, {5, 0}), line({5, 0}, {5, 5}), line({-5, 0}, {-5, 5})}, {disc(0.5, {0, 0.5})});
         stage.pull(Pull{0, {size, size}});
         stage.to(2);
         stage.pull(std::nullopt);
