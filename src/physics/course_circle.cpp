@@ -28,10 +28,18 @@ struct Expansion {
     Series tangent{};  // a_t
 };
 
-double product_term(Series const& a, Series const& b, int n) {
+// Divisions are what an expansion would wait for most.
+constexpr std::array<double, order + 2> reciprocal = [] {
+    std::array<double, order + 2> all{};
+    for (int n = 1; n < order + 2; ++n) all[n] = 1.0 / n;
+    return all;
+}();
+
+// n-th coefficient of the square of a series.
+double square_term(Series const& a, int n) {
     double sum = 0;
-    for (int i = 0; i <= n; ++i) sum += a[i] * b[n - i];
-    return sum;
+    for (int i = 0; 2 * i < n; ++i) sum += a[i] * a[n - i];
+    return n % 2 == 0 ? 2 * sum + a[n / 2] * a[n / 2] : 2 * sum;
 }
 
 // (n+1)-th coefficients of the sine and cosine of an angle, from its rate's and their own up to the n-th.
@@ -41,7 +49,7 @@ geometry::SineCosine chain_terms(Series const& rate, Expansion const& x, int n) 
         sine += rate[j] * x.cosine[n - j];
         cosine += rate[j] * x.sine[n - j];
     }
-    return {sine / (n + 1), -(cosine / (n + 1))};
+    return {sine * reciprocal[n + 1], -(cosine * reciprocal[n + 1])};
 }
 
 Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& law) {
@@ -59,17 +67,19 @@ Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& la
     x.speed[0] = rider.speed;
     x.rim[0] = rider.rim;
     Series rate{};  // of phi
+    double const curvature = 1 / track.rho;
     for (int n = 0; n <= order; ++n) {
         double const outward = constant.x() * x.cosine[n] + constant.y() * x.sine[n] - (n == 0 ? radial : 0);
-        x.force[n] = -s * (product_term(x.speed, x.speed, n) / track.rho + outward);
+        x.force[n] = -s * (square_term(x.speed, n) * curvature + outward);
         x.tangent[n] =
             s * (constant.x() * x.sine[n] - constant.y() * x.cosine[n]) - 2 * field.spring.decay * x.speed[n];
         if (n == order) break;
-        x.speed[n + 1] = (law.alpha * x.tangent[n] + law.beta * x.force[n]) / (n + 1);
-        x.rim[n + 1] = law.phase == Phase::slide ? law.gamma * x.force[n] / (n + 1) : x.speed[n + 1];
-        x.way[n + 1] = x.speed[n] / (n + 1);
-        x.phi[n + 1] = -s * x.way[n + 1] / track.rho;
-        rate[n] = (n + 1) * x.phi[n + 1];
+        double const share = reciprocal[n + 1];
+        x.speed[n + 1] = (law.alpha * x.tangent[n] + law.beta * x.force[n]) * share;
+        x.rim[n + 1] = law.phase == Phase::slide ? law.gamma * x.force[n] * share : x.speed[n + 1];
+        x.way[n + 1] = x.speed[n] * share;
+        rate[n] = -s * curvature * x.speed[n];
+        x.phi[n + 1] = rate[n] * share;
         auto const [next_sine, next_cosine] = chain_terms(rate, x, n);
         x.sine[n + 1] = next_sine;
         x.cosine[n + 1] = next_cosine;
