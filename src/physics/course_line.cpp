@@ -46,8 +46,7 @@ public:
           law_(law),
           spring_{law.alpha * setting.field.spring.decay, law.alpha * setting.field.spring.stiffness} {
         force_ = normal_force(setting, rider);
-        tangent_ = tangent_acceleration(setting, rider);
-        acceleration_ = law.alpha * tangent_ + law.beta * force_;
+        acceleration_ = law.alpha * tangent_acceleration(setting, rider) + law.beta * force_;
         // From q'' + 2 decay q' + stiffness (q - equilibrium) = 0 at the beginning.
         // Where grip has just been lost the slip grows from nothing; rounding must not end it at once.
         if (rider.slip() == 0)
@@ -97,7 +96,6 @@ private:
     Law const& law_;
     Oscillator spring_;
     double force_ = 0;
-    double tangent_ = 0;
     double acceleration_ = 0;
     double onset_ = 0;  // m/s
     double way_ = 0;    // m, from the equilibrium

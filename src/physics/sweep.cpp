@@ -143,14 +143,6 @@ private:
                     [&](Vec2 const& out) { return spans_loosely(arc, out); });
     }
 
-    static bool spans_loosely(Arc const& arc, Vec2 const& out) {
-        double const angle = geometry::arctangent(out.y(), out.x());
-        double const slack = touch_reach / arc.radius;
-        Arc const wider{arc.centre, arc.radius, arc.from - (arc.sweep > 0 ? slack : -slack),
-                        arc.sweep + (arc.sweep > 0 ? 2 * slack : -2 * slack)};
-        return std::abs(wider.sweep) >= 2 * geometry::pi || geometry::spans(wider, angle);
-    }
-
     void meet_end(int index, int vertex, Box const& near, double until) {
         if (vertex < 0 || terrain_.vertices[vertex].spokes.front().piece != index) return;
         int const feature = terrain_.feature_of_vertex(vertex);
@@ -224,6 +216,12 @@ double time_for(Parabola const& now, double way) {
 }
 
 }  // namespace
+
+bool spans_loosely(Arc const& arc, Vec2 const& out) {
+    double const slack = std::copysign(touch_reach / arc.radius, arc.sweep);
+    Arc const wider{arc.centre, arc.radius, arc.from - slack, arc.sweep + 2 * slack};
+    return std::abs(wider.sweep) >= 2 * geometry::pi || geometry::spans(wider, angle_of(out));
+}
 
 Obstacle first_obstacle(Terrain const& terrain, Parabola const& path, double radius, double until, Contact left,
                         Skipped const& skipped) {

@@ -11,6 +11,9 @@ namespace physics {
 // Nearer than this a ball touches: what it approaches it meets at once, what it leaves it has left. m, formats.md 3.
 inline constexpr double touch_reach = 1e-9;
 
+// Whether a ball in direction `out` from the arc's centre is over the arc, its ends reached beyond by touch_reach.
+bool spans_loosely(geometry::Arc const& arc, Vec2 const& out);
+
 // c(t) = position + velocity t + acceleration t^2 / 2.
 struct Parabola {
     Vec2 position = Vec2::Zero();

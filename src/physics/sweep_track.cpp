@@ -14,14 +14,6 @@ using geometry::Segment;
 
 namespace {
 
-double angle_of(Vec2 const& v) { return geometry::arctangent(v.y(), v.x()); }
-
-bool spans_loosely(Arc const& arc, double angle) {
-    double const slack = std::copysign(touch_reach / arc.radius, arc.sweep);
-    Arc const wider{arc.centre, arc.radius, arc.from - slack, arc.sweep + 2 * slack};
-    return std::abs(wider.sweep) >= 2 * pi || geometry::spans(wider, angle);
-}
-
 // The ball's centre runs on a circle: its gap to a line or to another circle is a + b cos(phi - psi), which falls at
 // one angle for each sense of running round.
 class CircleSweep {
@@ -88,7 +80,7 @@ private:
 
     void meet_arc(int index, Arc const& arc) {
         int const inner_side = arc.sweep > 0 ? 1 : -1;
-        auto const admits = [&](Vec2 const& centre) { return spans_loosely(arc, angle_of(centre - arc.centre)); };
+        auto const admits = [&](Vec2 const& centre) { return spans_loosely(arc, centre - arc.centre); };
         meet_circle(arc.centre, arc.radius + radius_, 1, {index, -inner_side}, admits);
         if (fits(terrain_, {index, inner_side}, radius_))
             meet_circle(arc.centre, arc.radius - radius_, -1, {index, inner_side}, admits);
@@ -146,7 +138,7 @@ void add_arc_support(std::vector<Support>& supports, Terrain const& terrain, int
                      Vec2 const& centre, double radius) {
     Vec2 const out = centre - arc.centre;
     double const distance = geometry::length(out);
-    if (distance == 0 || !spans_loosely(arc, angle_of(out))) return;
+    if (distance == 0 || !spans_loosely(arc, out)) return;
     int const inner_side = arc.sweep > 0 ? 1 : -1;
     if (std::abs(distance - arc.radius - radius) <= touch_reach)
         add_support(supports, {index, -inner_side}, out / distance);

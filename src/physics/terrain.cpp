@@ -12,6 +12,8 @@ using geometry::Arc;
 using geometry::pi;
 using geometry::Segment;
 
+double angle_of(Vec2 const& direction) { return geometry::arctangent(direction.y(), direction.x()); }
+
 namespace {
 
 constexpr double exposed_slack = 1e-12;       // rounding of a unit vector's scalar product
@@ -55,8 +57,6 @@ private:
     std::vector<Vertex>& vertices_;
     std::unordered_map<std::uint64_t, std::vector<int>> cells_;
 };
-
-double angle_of(Vec2 const& direction) { return geometry::arctangent(direction.y(), direction.x()); }
 
 void sort_spokes(Vertex& vertex) {
     std::stable_sort(vertex.spokes.begin(), vertex.spokes.end(),

@@ -66,6 +66,9 @@ int surface_of(Terrain const& terrain, int feature);
 // only then can it touch the vertex itself. Flat and concave joints have no such direction, so nothing trips on them.
 bool exposes(Vertex const& vertex, Vec2 const& normal);
 
+// The polar angle of a vector, rad, as arcs and tracks count it.
+double angle_of(Vec2 const& direction);
+
 // Which side and feature a ball touches: feature -1 is none. A vertex has one side, +1.
 struct Contact {
     int feature = -1;

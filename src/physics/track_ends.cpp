@@ -14,8 +14,6 @@ namespace {
 constexpr int towards_high = 1;
 constexpr int towards_low = -1;
 
-double angle_of(Vec2 const& v) { return geometry::arctangent(v.y(), v.x()); }
-
 // The end of a piece that its track reaches in a direction: side +1 runs from start to end on straight pieces and on
 // those that are passed on the left.
 bool ends_at_start(Contact contact, int direction) { return (contact.side > 0) == (direction == towards_low); }
