@@ -6,6 +6,7 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/options.h"
 #include "app/output.h"
 #include "level/level.h"
 #include "physics/needs.h"
@@ -13,6 +14,11 @@
 namespace app {
 
 namespace {
+
+struct CheckOptions {
+    std::vector<std::string> files;
+    MethodOptions method;  // its tolerance alone
+};
 
 std::string line_for(std::string const& file, level::Finding const& finding) {
     return file + ":" + std::to_string(finding.line) + (finding.fault ? ": " : ": warning: ") + finding.text;
@@ -24,12 +30,12 @@ std::string clause_of(physics::Reason const& reason, level::Level const& level) 
 }
 
 // What a sound level asks of a method, and which one is chosen. No line number: these are no findings.
-std::vector<std::string> notes_on(std::string const& file) {
+std::vector<std::string> notes_on(std::string const& file, game::MethodWish const& wish) {
     std::vector<std::string> notes;
     level::Level const level = level::read_level(file);
     for (physics::Reason const& reason : physics::needs_of(level.scene))
         notes.push_back(file + ": needs " + physics::name_of(reason.need) + ": " + clause_of(reason, level));
-    physics::Choice const choice = physics::choice_for(level.scene);
+    physics::Choice const choice = game::choice_for(wish, level.scene);
     notes.push_back(file + ": method " + physics::name_of(choice.method) + ": " + choice.why);
     return notes;
 }
@@ -38,16 +44,17 @@ bool has_fault(std::vector<level::Finding> const& findings) {
     return std::any_of(findings.begin(), findings.end(), [](level::Finding const& f) { return f.fault; });
 }
 
-int check(std::vector<std::string> const& files) {
+int check(CheckOptions const& options) {
+    game::MethodWish const wish = wish_from(options.method);
     int status = done;
     std::string unreadable;
-    for (std::string const& file : files) {
+    for (std::string const& file : options.files) {
         stop_if_interrupted();
         std::vector<level::Finding> findings;
         std::vector<std::string> notes;
         try {
             findings = level::findings_in(file);
-            if (!has_fault(findings)) notes = notes_on(file);
+            if (!has_fault(findings)) notes = notes_on(file, wish);
         } catch (std::runtime_error const& error) {
             unreadable += (unreadable.empty() ? "" : "; ") + std::string(error.what());
         }
@@ -70,12 +77,14 @@ int check(std::vector<std::string> const& files) {
 }  // namespace
 
 Command check_command(CLI::App& program) {
-    auto const files = std::make_shared<std::vector<std::string>>();
+    auto const options = std::make_shared<CheckOptions>();
     CLI::App* const command =
         program.add_subcommand("check", "What is wrong or suspicious in a level, and what it needs");
-    command->add_option("files", *files, "levels (.svg)")->required()->type_name("LEVEL");
+    command->add_option("files", options->files, "levels (.svg)")->required()->type_name("LEVEL");
+    command->add_option("--tolerance", options->method.tolerance, "say which method keeps this error at the least cost")
+        ->type_name("METRES");
     command->footer("Ends with 3 when a level has a fault. Example: smb2d check assets/levels/*.svg");
-    return {command, [files] { return check(*files); }};
+    return {command, [options] { return check(*options); }};
 }
 
 }  // namespace app

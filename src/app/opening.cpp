@@ -9,6 +9,16 @@ namespace {
 
 constexpr double default_duration = 10;  // s, formats.md section 1
 
+// What the command line leaves open the run decides. A tolerance that is asked for weighs more than the rate that a run
+// was made with.
+game::MethodWish whole_wish(Opened const& opened, game::MethodWish const& wish) {
+    game::MethodWish whole = wish;
+    if (!whole.name) whole.name = opened.run.method_name;
+    if (!whole.rate && !whole.tolerance) whole.rate = opened.run.rate;
+    if (auto const objection = game::objection_to(whole)) throw std::runtime_error(opened.file + ": " + *objection);
+    return whole;
+}
+
 }  // namespace
 
 Opened opened(std::string const& file) {
@@ -28,13 +38,16 @@ void note_changed_level(Opened const& opened) {
         note("smb2d: " + opened.file + ": the level " + opened.level->file + " has changed since this run was made");
 }
 
+void note_advice(Opened const& opened, game::MethodWish const& wish) {
+    game::MethodWish const whole = whole_wish(opened, wish);
+    if (!whole.tolerance || whole.name.value_or("auto") != "auto") return;
+    physics::Choice const choice = game::choice_for(whole, opened.level->scene);
+    note("smb2d: " + opened.file + ": method " + physics::name_of(choice.method) + ": " + choice.why);
+}
+
 game::Session session_for(Opened const& opened, game::MethodWish const& wish) {
-    game::MethodWish whole = wish;
-    if (!whole.name) whole.name = opened.run.method_name;
-    // A tolerance that is asked for weighs more than the rate that a run was made with.
-    if (!whole.rate && !whole.tolerance) whole.rate = opened.run.rate;
-    if (auto const objection = game::objection_to(whole)) throw std::runtime_error(opened.file + ": " + *objection);
-    return game::session_of(opened.level, game::method_for(whole, opened.level->scene), opened.run.inputs, opened.file);
+    return game::session_of(opened.level, game::method_for(whole_wish(opened, wish), opened.level->scene),
+                            opened.run.inputs, opened.file);
 }
 
 game::Fraction duration_of(game::Run const& run) {

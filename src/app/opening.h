@@ -25,6 +25,9 @@ Opened opened(std::string const& file);
 // Says on standard error when the level is not the one that the run was made for.
 void note_changed_level(Opened const& opened);
 
+// Says on standard error which method is chosen for a tolerance, and why, where none is named.
+void note_advice(Opened const& opened, game::MethodWish const& wish);
+
 // What the command line asks for, else what the run was made with, else `auto`.
 game::Session session_for(Opened const& opened, game::MethodWish const& wish);
 

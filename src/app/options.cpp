@@ -28,8 +28,7 @@ void declare(CLI::App& command, MethodOptions& options) {
     command.add_option("--method", options.method, "auto, article, steps or exact (default: the run's, else auto)")
         ->type_name("NAME");
     command.add_option("--rate", options.rate, "steps a second (default: the run's, else 240)")->type_name("HZ");
-    command
-        .add_option("--tolerance", options.tolerance, "deepest error wanted (exact keeps any, steps raises its rate)")
+    command.add_option("--tolerance", options.tolerance, "deepest error wanted; auto picks the cheapest that keeps it")
         ->type_name("METRES");
 }
 

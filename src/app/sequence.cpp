@@ -77,7 +77,10 @@ Sequence sequence_for(SequenceOptions const& options) {
     if (options.to) to = time_from("--to", *options.to);
     if (to) count_of(sequence.from, *to, sequence.rate);
     Opened const opening = opened(options.file);
-    if (!options.quiet) note_changed_level(opening);
+    if (!options.quiet) {
+        note_changed_level(opening);
+        note_advice(opening, wish);
+    }
     sequence.session = session_for(opening, wish);
     sequence.count = count_of(sequence.from, to ? *to : duration_of(opening.run), sequence.rate);
     sequence.jobs = static_cast<int>(std::min<long long>(jobs, sequence.count));

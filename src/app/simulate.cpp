@@ -65,6 +65,7 @@ int simulate(SimulateOptions const& options) {
         throw UsageError("--format must be csv or json, got \"" + options.format + "\"");
     Opened const opening = opened(options.file);
     note_changed_level(opening);
+    note_advice(opening, wish);
     game::Session session = session_for(opening, wish);
     double const end = (to ? *to : duration_of(opening.run)).value();
     Trace trace(options.format == "json" ? Trace::Format::json : Trace::Format::csv);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "physics/advice.h"
 #include "physics/exact.h"
-#include "physics/needs.h"
 
 namespace game {
 
@@ -31,21 +31,21 @@ double rate_within(double tolerance) {
     return std::clamp(usual * std::sqrt(usual_error / tolerance), usual, highest_tolerance_rate);
 }
 
-physics::Method method_for(MethodWish const& wish, physics::Scene const& scene) {
+physics::Choice choice_for(MethodWish const& wish, physics::Scene const& scene) {
     if (auto const objection = objection_to(wish)) throw std::runtime_error(*objection);
-    if (wish.name == "article") {
-        physics::Article article;
-        article.rate = wish.rate.value_or(article.rate);
-        return article;
+    if (wish.name == "article") return {physics::Article{wish.rate.value_or(physics::Article{}.rate)}, "it was named"};
+    if (wish.name == "exact") return {physics::Exact{}, "it was named"};
+    if (wish.name == "steps") {
+        double const rate = wish.tolerance ? rate_within(*wish.tolerance) : physics::Steps{}.rate;
+        return {physics::Steps{wish.rate.value_or(rate)}, "it was named"};
     }
-    if (wish.name == "exact") return physics::Exact{};
-    if (wish.name.value_or("auto") == "auto") {
-        physics::Method const chosen = physics::choice_for(scene).method;
-        if (!std::holds_alternative<physics::Steps>(chosen)) return chosen;
-    }
-    physics::Steps steps;
-    steps.rate = wish.rate.value_or(wish.tolerance ? rate_within(*wish.tolerance) : steps.rate);
-    return steps;
+    physics::Choice choice = wish.tolerance ? physics::advice_for(scene, *wish.tolerance) : physics::choice_for(scene);
+    if (auto* steps = std::get_if<physics::Steps>(&choice.method)) steps->rate = wish.rate.value_or(steps->rate);
+    return choice;
+}
+
+physics::Method method_for(MethodWish const& wish, physics::Scene const& scene) {
+    return choice_for(wish, scene).method;
 }
 
 double rate_of(physics::Method const& method) {

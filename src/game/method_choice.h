@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "physics/method.h"
+#include "physics/needs.h"
 
 namespace game {
 
@@ -31,8 +31,9 @@ std::optional<std::string> objection_to(MethodWish const& wish);
 // The rate at which `steps` keeps a tolerance, its usual one at least.
 double rate_within(double tolerance);  // m -> steps/s
 
-// `exact` keeps any tolerance; `steps` by its rate, unless that is named.
-// Throws std::runtime_error with the objection, if there is one.
+// The method named, or the one chosen for the scene: by its needs or, with a tolerance, by advice (physics/advice.h). A
+// named rate weighs more than a tolerance. Throws std::runtime_error with the objection, if there is one.
+physics::Choice choice_for(MethodWish const& wish, physics::Scene const& scene);
 physics::Method method_for(MethodWish const& wish, physics::Scene const& scene);
 
 double rate_of(physics::Method const& method);  // steps/s

@@ -47,6 +47,13 @@ class Check(ProgramTest):
         lines = self.done("check", ASSETS / "lab/pile.svg").decode().splitlines()
         self.assertRegex(lines[-1], r": method steps: .*piles")
 
+    def test_with_a_tolerance_it_says_which_method_keeps_it_at_the_least_cost(self):
+        line = self.done("check", "--tolerance", "1e-6", self.small_level).decode().splitlines()[-1]
+        self.assertRegex(line, r": method exact: the cheapest known to keep 1e-06 m, .* a simulated second")
+        line = self.done("check", "--tolerance", "1e-9", ASSETS / "lab" / "pile.svg").decode().splitlines()[-1]
+        self.assertRegex(line, r": method steps: nothing is known to keep 1e-09 m; nearest, steps at \d+ steps/s")
+        self.assert_fails(2, "check", "--tolerance", "0", self.small_level, says="tolerance")
+
     def test_a_broken_level_is_told_no_needs(self):
         level = self.file("broken.svg", self.small_level.read_text().replace('r="0.5"', 'r="-1"'))
         result = self.smb2d("check", level)

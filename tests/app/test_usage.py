@@ -61,6 +61,13 @@ class Usage(ProgramTest):
             self.assert_fails(2, "render", self.small_level, "-o", "f%03d.png", *words)
         self.assert_fails(2, "play", self.small_level, "--renderer", "crayon")
 
+    def test_what_is_chosen_for_a_tolerance_is_said_on_standard_error_and_nothing_else_is(self):
+        asked = self.smb2d("simulate", self.small_level, "--to", "0.1", "--tolerance", "1e-6")
+        self.assertEqual((asked.returncode, asked.stdout), (0, self.done("simulate", self.small_level, "--to", "0.1")))
+        self.assertRegex(asked.stderr.decode(), r"^smb2d: .*: method exact: the cheapest known to keep 1e-06 m[^\n]*\n$")
+        for method in [[], ["--method", "exact", "--tolerance", "1e-6"]]:
+            self.assertEqual(self.smb2d("simulate", self.small_level, "--to", "0.1", *method).stderr, b"")
+
     def test_a_tolerance_raises_the_rate_of_steps_unless_that_is_named_and_leaves_exact_as_it_is(self):
         # The error falls with the square of the step: a hundredth of the usual 2.5e-5 m asks for ten times 240 Hz.
         trace = lambda *words: self.done("simulate", self.small_level, "--to", "0.2", *words)
@@ -68,7 +75,7 @@ class Usage(ProgramTest):
                          trace("--method", "steps", "--rate", "2400"))
         self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7", "--rate", "100"),
                          trace("--method", "steps", "--rate", "100"))
-        self.assertEqual(trace("--tolerance", "2.5e-7"), trace())
+        self.assertEqual(trace("--method", "exact", "--tolerance", "2.5e-7"), trace())
         self.assertEqual(trace("--method", "exact", "--tolerance", "1"), trace("--method", "exact"))
         self.assert_fails(2, "simulate", self.small_level, "--method", "article", "--tolerance", "1e-3", says="article")
 
