@@ -20,45 +20,41 @@ constexpr double half_pi_low = 0x1.3198a2e037073p-69;
 constexpr double log_two_high = 0x1.62e42feep-1;
 constexpr double log_two_low = 0x1.a39ef35793c76p-33;
 
-// As std::floor, which is a call wherever the processor's rounding instruction is not taken for granted.
-double whole_below(double x) {
-    if (!(std::abs(x) < 0x1p52)) return x;
-    double const whole = static_cast<double>(static_cast<std::int64_t>(x));
-    return whole > x ? whole - 1 : whole;
-}
+// Angles beyond this are brought back by whole turns first: the products of their reduction would not be exact.
+constexpr double furthest_angle = 1e6;  // rad
 
-// Taylor series for |x| <= pi/4: what is left out is below 5e-17.
+// Taylor series for |x| <= pi/4: what is left out is below 5e-17. Their terms are paired, as a single chain of sums
+// would wait for itself.
 double sine_near_zero(double x) {
-    double const s = x * x;
-    double const tail =
-        -1.0 / 6 +
-        s * (1.0 / 120 +
-             s * (-1.0 / 5040 +
-                  s * (1.0 / 362880 + s * (-1.0 / 39916800 + s * (1.0 / 6227020800 - s * (1.0 / 1307674368000))))));
-    return x + x * (s * tail);
+    double const s = x * x, s2 = s * s;
+    double const low = (-1.0 / 6 + s * (1.0 / 120)) + s2 * (-1.0 / 5040 + s * (1.0 / 362880));
+    double const high = (-1.0 / 39916800 + s * (1.0 / 6227020800)) - s2 * (1.0 / 1307674368000);
+    return x + x * (s * (low + (s2 * s2) * high));
 }
 
 double cosine_near_zero(double x) {
-    double const s = x * x;
-    double const tail =
-        1.0 / 24 +
-        s * (-1.0 / 720 +
-             s * (1.0 / 40320 + s * (-1.0 / 3628800 +
-                                     s * (1.0 / 479001600 + s * (-1.0 / 87178291200 + s * (1.0 / 20922789888000))))));
+    double const s = x * x, s2 = s * s;
+    double const low = (1.0 / 24 - s * (1.0 / 720)) + s2 * (1.0 / 40320 - s * (1.0 / 3628800));
+    double const high = (1.0 / 479001600 - s * (1.0 / 87178291200)) + s2 * (1.0 / 20922789888000);
+    double const tail = low + (s2 * s2) * high;
     // 1 - s/2 loses up to half a unit in the last place; what it lost is given back with the tail.
     double const half = 0.5 * s;
     double const head = 1 - half;
-    return head + (((1 - head) - half) + s * s * tail);
+    return head + (((1 - head) - half) + s2 * tail);
+}
+
+// -x if the second bit of `two` is set, else x.
+double with_sign(double x, std::uint64_t two) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (two << 62));
 }
 
 // exp(x) - 1 - x over x^2 for |x| <= ln 2 / 2, by its Taylor series; even and odd powers apart, for speed.
 double exponential_tail(double x) {
-    double const s = x * x;
-    double const even =
-        1.0 / 2 + s * (1.0 / 24 + s * (1.0 / 720 + s * (1.0 / 40320 + s * (1.0 / 3628800 + s * (1.0 / 479001600)))));
-    double const odd =
-        1.0 / 6 +
-        s * (1.0 / 120 + s * (1.0 / 5040 + s * (1.0 / 362880 + s * (1.0 / 39916800 + s * (1.0 / 6227020800)))));
+    double const s = x * x, s2 = s * s;
+    double const even = ((1.0 / 2 + s * (1.0 / 24)) + s2 * (1.0 / 720 + s * (1.0 / 40320))) +
+                        (s2 * s2) * (1.0 / 3628800 + s * (1.0 / 479001600));
+    double const odd = ((1.0 / 6 + s * (1.0 / 120)) + s2 * (1.0 / 5040 + s * (1.0 / 362880))) +
+                       (s2 * s2) * (1.0 / 39916800 + s * (1.0 / 6227020800));
     return even + x * odd;
 }
 
@@ -81,7 +77,7 @@ constexpr double arctangent_of_eighths[9] = {
 // The angle of (near, far) for 0 <= far <= near: the nearest eighth is taken off, the rest is below 1/16 and has a
 // short series.
 double arctangent_below_one(double far, double near) {
-    int const eighth = static_cast<int>(whole_below(8 * (far / near) + 0.5));
+    int const eighth = static_cast<int>(8 * (far / near) + 0.5);
     double const cut = eighth / 8.0;
     double const x = (far - cut * near) / (near + cut * far);
     double const s = x * x;
@@ -100,30 +96,21 @@ double hyperbolic_arctangent_near_zero(double x) {
 }  // namespace
 
 SineCosine sine_cosine(double angle) {
-    if (!std::isfinite(angle)) return {angle - angle, angle - angle};
-    double const quarters = whole_below(angle * (2 / pi) + 0.5);
-    double const rest = ((angle - quarters * half_pi_high) - quarters * half_pi_middle) - quarters * half_pi_low;
-    // Far beyond the promised range the reduction has no bits left; the clamp keeps the answer on the unit circle.
-    double const x = std::clamp(rest, -pi / 3, pi / 3);
-    double const sine = sine_near_zero(x);
-    double const cosine = cosine_near_zero(x);
-    switch (static_cast<int>(quarters - 4 * whole_below(quarters / 4))) {
-        case 0:
-            return {sine, cosine};
-        case 1:
-            return {cosine, -sine};
-        case 2:
-            return {-sine, -cosine};
-        default:
-            return {-cosine, sine};
-    }
+    if (!(std::abs(angle) <= furthest_angle)) angle = std::remainder(angle, 2 * pi);
+    double const count = angle * (2 / pi) + rounder;
+    double const quarters = count - rounder;
+    double const x = ((angle - quarters * half_pi_high) - quarters * half_pi_middle) - quarters * half_pi_low;
+    double const near_zero[2] = {sine_near_zero(x), cosine_near_zero(x)};
+    // No branch on the quarter of the turn, which changes too often to be foreseen.
+    auto const quarter = std::bit_cast<std::uint64_t>(count);
+    return {with_sign(near_zero[quarter & 1], quarter & 2), with_sign(near_zero[~quarter & 1], (quarter + 1) & 2)};
 }
 
 double exponential(double x) {
     if (x < -708) return 0;
     if (x > 709) return std::numeric_limits<double>::infinity();
     if (!(x == x)) return x;
-    double const doublings = whole_below(x * 1.44269504088896340736 + 0.5);
+    double const doublings = (x * 1.44269504088896340736 + rounder) - rounder;
     double const high = x - doublings * log_two_high;
     double const low = doublings * log_two_low;
     double const rest = high - low;

@@ -5,6 +5,10 @@ namespace geometry {
 
 inline constexpr double pi = 3.14159265358979323846;
 
+// x + rounder - rounder is the whole number nearest to |x| < 2^51, found without a call and without a branch; the
+// lowest bits of x + rounder count.
+inline constexpr double rounder = 0x1.8p52;
+
 struct SineCosine {
     double sine = 0;
     double cosine = 1;
