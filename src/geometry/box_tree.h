@@ -32,6 +32,12 @@ public:
         }
     }
 
+    bool overlaps_any(Box const& box) const {
+        bool found = false;
+        each_overlapping(box, [&found](int) { found = true; });
+        return found;
+    }
+
 private:
     struct Node {
         Box box;

@@ -26,19 +26,16 @@ Swing rate_of(Oscillator const& o, Swing const& s) {
 class Zeros {
 public:
     Zeros(Oscillator const& o, Swing const& start) {
-        double const discriminant = o.decay * o.decay - o.stiffness;
         double const cosine_part = start.displacement;
         double const sine_part = start.rate + o.decay * start.displacement;
         if (cosine_part == 0 && sine_part == 0) return;
-        if (discriminant < 0) {
-            double const frequency = std::sqrt(-discriminant);
-            double const angle = arctangent(-cosine_part * frequency, sine_part);
-            first_ = (angle > 0 ? angle : angle + pi) / frequency;
-            spacing_ = pi / frequency;
+        if (o.discriminant < 0) {
+            double const angle = arctangent(-cosine_part * o.root, sine_part);
+            first_ = (angle > 0 ? angle : angle + pi) * o.root_inverse;
+            spacing_ = pi * o.root_inverse;
         } else if (cosine_part * sine_part < 0) {
-            double const root = std::sqrt(discriminant);
-            double const tangent = -cosine_part * root / sine_part;
-            if (tangent < 1) first_ = root > 0 ? hyperbolic_arctangent(tangent) / root : -cosine_part / sine_part;
+            double const tangent = -cosine_part * o.root / sine_part;
+            if (tangent < 1) first_ = o.root > 0 ? hyperbolic_arctangent(tangent) / o.root : -cosine_part / sine_part;
         }
     }
 
@@ -70,9 +67,8 @@ public:
 
     Gap(double c0, double c1, Oscillator const& oscillator, Swing const& start)
         : c0_(c0), c1_(c1), oscillator_(oscillator), start_(start) {
-        double const discriminant = oscillator.decay * oscillator.decay - oscillator.stiffness;
-        if (!(discriminant < 0)) return;
-        double const sine_part = (start.rate + oscillator.decay * start.displacement) / std::sqrt(-discriminant);
+        if (!(oscillator.discriminant < 0)) return;
+        double const sine_part = (start.rate + oscillator.decay * start.displacement) * oscillator.root_inverse;
         swing_ = std::sqrt(start.displacement * start.displacement + sine_part * sine_part);
         swing_rate_ = swing_ * std::sqrt(oscillator.stiffness);
     }

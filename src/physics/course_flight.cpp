@@ -12,6 +12,18 @@ namespace {
 // How far ahead a flight on the spring is searched at a time, in periods of the spring.
 constexpr double search_periods = 0.25;
 
+// A swing that does not gain never leaves its envelopes about the equilibrium: whatever lies outside it never meets.
+bool swings_clear(Setting const& setting, Leg const& leg, double searched) {
+    auto const& flight = std::get<SpringFlight>(leg.motion);
+    State const now = at_span(leg, searched);
+    Vec2 const away = now.position - flight.equilibrium;
+    Vec2 const reach(envelope(flight.oscillator, {away.x(), now.velocity.x()}),
+                     envelope(flight.oscillator, {away.y(), now.velocity.y()}));
+    double const rim = setting.ball.radius + touch_reach;
+    return !setting.terrain.tree.overlaps_any(
+        geometry::grown({flight.equilibrium - reach, flight.equilibrium + reach}, rim));
+}
+
 bool at_rest_for_good(Leg const& leg, double t) {
     State const now = at_span(leg, t);
     return geometry::length(now.velocity) == 0 && acceleration_bound(leg, leg.since + t, leg.since + t) == 0;
@@ -23,7 +35,7 @@ Course continued_flight(Setting const& setting, Leg const& leg, double searched)
     Course course;
     course.leg = leg;
     double const window = search_periods * 2 * geometry::pi / std::sqrt(setting.field.spring.stiffness);
-    if (at_rest_for_good(leg, searched)) {
+    if (swings_clear(setting, leg, searched) || at_rest_for_good(leg, searched)) {
         course.leg.until = never;
         return course;
     }

@@ -75,17 +75,6 @@ State state_on(CircleRun const& m, double t) {
     return {s.centre + s.rho * Vec2(cosine, sine), (s.rho * phi_rate) * Vec2(-sine, cosine), angle, angle_rate};
 }
 
-// The largest |displacement| of a swing from `start` on, for all time.
-double envelope(geometry::Oscillator const& o, Swing const& start) {
-    double const slope = std::abs(start.rate + o.decay * start.displacement);
-    double const discriminant = o.decay * o.decay - o.stiffness;
-    if (discriminant < 0) return std::sqrt(start.displacement * start.displacement - slope * slope / discriminant);
-    // Overdamped: |y| <= |y0| + |slope| max(t e^(-slow t)), with `slow` the slower of the two rates.
-    double const slow = o.stiffness > 0 ? o.stiffness / (o.decay + std::sqrt(discriminant)) : 0;
-    double const bound = slow > 0 ? slope * geometry::exponential(-1) / slow : never;
-    return std::abs(start.displacement) + bound;
-}
-
 // The acceleration of a swing is a swing of the same oscillator.
 double swing_acceleration_bound(geometry::Oscillator const& o, Swing const& start) {
     double const acceleration = -2 * o.decay * start.rate - o.stiffness * start.displacement;

@@ -91,6 +91,17 @@ TEST_CASE("the oscillator follows its closed form in every regime") {
     CHECK(braked.displacement == doctest::Approx(1 - std::exp(-2 * t)).epsilon(1e-14));
 }
 
+TEST_CASE("the envelope of an oscillation is never left, and is reached where nothing damps") {
+    // 3 and 4/2: the amplitude of 3 cos 2t + 2 sin 2t.
+    CHECK(envelope({0, 4}, {3, 4}) == doctest::Approx(std::sqrt(13.0)).epsilon(1e-15));
+    for (Oscillator const& o : {Oscillator(0, 4), Oscillator(0.3, 4), Oscillator(2, 4), Oscillator(5, 4)})
+        for (Swing const& start : {Swing{1, 0}, Swing{1, 9}, Swing{-1, 5}, Swing{0, -3}})
+            for (int i = 0; i <= 1000; ++i) {
+                Swing const later = swing_after(o, basis_at(o, 0.01 * i), start);
+                REQUIRE(std::abs(later.displacement) <= envelope(o, start) * (1 + 1e-15));
+            }
+}
+
 TEST_CASE("a damped oscillator is at rest in the end, whatever its regime") {
     for (double const stiffness : {0.5, 1.0, 4.0})
         for (double const t : {1e4, 1e300, std::numeric_limits<double>::infinity()}) {

@@ -54,6 +54,18 @@ TEST_CASE("a ball that flies along a line goes on along the arc that the line is
     CHECK(stage.now().velocity.x() == doctest::Approx(-2).epsilon(1e-12));
 }
 
+TEST_CASE("a swing on the spring is one leg for ever unless something lies within its reach") {
+    for (double const wall : {3.5 + 1e-6, 3.5 - 1e-6}) {  // the disc's rim swings from 0.5 to 3.5 m and back
+        Stage stage({line({wall, -9}, {wall, 9})}, {disc(0.5, {1, 0})}, 0);
+        stage.scene.drag = {2, 0};
+        stage.pull(Pull{0, {2, 0}});
+        stage.to(0.1);
+        CHECK((stage.world.legs[0].until == never) == (wall > 3.5));
+        stage.to(10);
+        CHECK((stage.count(EventKind::land) == 0) == (wall > 3.5));
+    }
+}
+
 TEST_CASE("a hit throws a rolling ball off the floor and sets the other slipping, and says so") {
     Stage stage({line({0, 0}, {40, 0})}, {disc(0.5, {5, 0.5}, {3, 0}, -6), disc(0.5, {10, 0.5})});
     stage.to(1.4);
