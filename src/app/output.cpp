@@ -57,8 +57,6 @@ void write_to_stdout(std::string_view bytes) {
     }
 }
 
-void Output::add(std::string_view text) { block_ += text; }
-
 void Output::add(double number) {
     char digits[40];
     auto const [end, error] = std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, 17);

@@ -16,7 +16,8 @@ void write_to_stdout(std::string_view bytes);
 // Collects lines and writes them in large blocks. What is not flushed is lost.
 class Output {
 public:
-    void add(std::string_view text);
+    void add(std::string_view text) { block_ += text; }
+    void add(char letter) { block_ += letter; }
     void add(double number);  // 17 significant digits, as %.17g in the C locale
     void add(long long number);
     void flush();

@@ -68,20 +68,20 @@ char const* name_of(level::Level const& level, physics::Event const& event) {
     return "";
 }
 
-std::string surface_name(level::Level const& level, physics::Contact const& contact) {
+std::string_view surface_name(level::Level const& level, physics::Contact const& contact) {
     if (contact.feature < 0) return "";
     return level.surface_names[physics::surface_of(level.scene.terrain, contact.feature)];
 }
 
-// Quoted only where it must be.
-std::string csv_text(std::string const& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+bool must_be_quoted(std::string_view text) { return text.find_first_of(",\"\r\n") != text.npos; }
+
+std::string csv_quoted(std::string_view text) {
     std::string quoted = "\"";
     for (char const c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
 }
 
-std::string json_text(std::string const& text) {
+std::string json_text(std::string_view text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -103,19 +103,19 @@ void Trace::header(Rows rows) {
 
 void Trace::begin() {
     is_first_ = true;
-    if (format_ == Format::json) output_.add("{");
+    if (format_ == Format::json) output_.add('{');
 }
 
 void Trace::end() {
-    if (format_ == Format::json) output_.add("}");
+    if (format_ == Format::json) output_.add('}');
     output_.end_line();
 }
 
 void Trace::name(char const* field) {
-    if (!is_first_) output_.add(",");
+    if (!is_first_) output_.add(',');
     is_first_ = false;
     if (format_ == Format::csv) return;
-    output_.add("\"");
+    output_.add('"');
     output_.add(field);
     output_.add("\":");
 }
@@ -130,9 +130,14 @@ void Trace::field(char const* name_of_field, int value) {
     output_.add(static_cast<long long>(value));
 }
 
-void Trace::field(char const* name_of_field, std::string const& text) {
+void Trace::field(char const* name_of_field, std::string_view text) {
     name(name_of_field);
-    output_.add(format_ == Format::json ? json_text(text) : csv_text(text));
+    if (format_ == Format::json)
+        output_.add(json_text(text));
+    else if (must_be_quoted(text))
+        output_.add(csv_quoted(text));
+    else
+        output_.add(text);
 }
 
 void Trace::empty_field(char const* name_of_field) {

@@ -1,7 +1,7 @@
 // A trace: balls at times, or events, as CSV or JSON on standard output (formats.md section 5).
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "app/output.h"
 #include "game/session.h"
@@ -26,7 +26,7 @@ private:
     void name(char const* field);
     void field(char const* name, double value);
     void field(char const* name, int value);
-    void field(char const* name, std::string const& text);
+    void field(char const* name, std::string_view text);
     void empty_field(char const* name);
 
     Format format_;
