@@ -58,11 +58,15 @@ inline void offer_ends_at_hand(Soonest& soonest, Setting const& setting, Rider c
 
 Course line_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
 Course circle_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
+// The same in closed form, where it has one: rolling freely, without damping.
+std::optional<Course> pendulum_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends,
+                                      double since);
 
 inline Course track_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends,
                            double since) {
-    return rider.track.straight ? line_course(setting, rider, law, ends, since)
-                                : circle_course(setting, rider, law, ends, since);
+    if (rider.track.straight) return line_course(setting, rider, law, ends, since);
+    auto const closed_form = pendulum_course(setting, rider, law, ends, since);
+    return closed_form ? *closed_form : circle_course(setting, rider, law, ends, since);
 }
 
 }  // namespace physics

@@ -75,6 +75,31 @@ State state_on(CircleRun const& m, double t) {
     return {s.centre + s.rho * Vec2(cosine, sine), (s.rho * phi_rate) * Vec2(-sine, cosine), angle, angle_rate};
 }
 
+// Half of psi as the pendulum's functions give it: sin(psi / 2) is swing sn or, turning over, sn.
+struct HalfAngle {
+    double sine = 0, cosine = 1;
+    double rate = 0;        // 1/s
+    double half_turns = 0;  // of the half angle, when turning over
+    double psi() const { return 2 * (geometry::arctangent(sine, cosine) + geometry::pi * half_turns); }
+};
+HalfAngle half_angle_at(Pendulum const& m, double t) {
+    geometry::Jacobi::Values const f = m.functions.at(m.phase + m.pace * t);
+    if (m.turns_over) return {f.sn, f.cn, m.pace * f.dn, f.half_turns};
+    double const swing = f.sign * m.swing;
+    return {swing * f.sn, f.dn, m.pace * (swing * f.cn), 0};
+}
+
+State state_on(PendulumRun const& run, double t) {
+    Pendulum const& m = *run.pendulum;
+    HalfAngle const half = half_angle_at(m, t);
+    double const cosine = (half.cosine - half.sine) * (half.cosine + half.sine);
+    double const sine = m.sense * (2 * half.sine * half.cosine);
+    Vec2 const out = geometry::turned(m.down, cosine, sine);
+    double const rate = m.sense * (2 * half.rate);
+    return {m.centre + m.rho * out, (m.rho * rate) * geometry::turned_left(out),
+            m.angle + m.rolling * (m.sense * half.psi()), m.rolling * rate};
+}
+
 // The acceleration of a swing is a swing of the same oscillator.
 double swing_acceleration_bound(geometry::Oscillator const& o, Swing const& start) {
     double const acceleration = -2 * o.decay * start.rate - o.stiffness * start.displacement;
@@ -109,12 +134,27 @@ struct AccelerationBound {
         }
         return m.series->rho * std::sqrt(acceleration * acceleration + rate * rate * rate * rate);
     }
+    // psi'^2 <= 4 (swing pace)^2, and |psi''| <= pace^2.
+    double operator()(PendulumRun const& run) const {
+        Pendulum const& m = *run.pendulum;
+        double const fastest = 4 * (m.swing * m.pace) * (m.swing * m.pace);
+        double const own = m.pace * m.pace;
+        return m.rho * std::sqrt(own * own + fastest * fastest);
+    }
 };
 
 }  // namespace
 
 State at_span(Leg const& leg, double span) {
     return std::visit([&](auto const& motion) { return state_on(motion, span); }, leg.motion);
+}
+
+std::optional<double> polar_angle_at(Motion const& motion, double span) {
+    if (auto const* run = std::get_if<CircleRun>(&motion)) return series_at(run->series->phi, span).value;
+    auto const* run = std::get_if<PendulumRun>(&motion);
+    if (run == nullptr) return std::nullopt;
+    Pendulum const& m = *run->pendulum;
+    return m.phi_down + m.sense * half_angle_at(m, span).psi();
 }
 
 State at(Leg const& leg, double t) { return at_span(leg, t - leg.since); }

@@ -5,8 +5,10 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <variant>
 
+#include "geometry/elliptic.h"
 #include "geometry/oscillator.h"
 #include "physics/ball.h"
 #include "physics/terrain.h"
@@ -61,7 +63,27 @@ struct CircleRun {
     std::shared_ptr<CircleSeries const> series;
 };
 
-using Motion = std::variant<Straight, Ballistic, SpringFlight, LineSwing, CircleRun>;
+// Round a circular track as a pendulum of length rho: psi is the angle from where the field pulls to, counted in the
+// sense in which the ball set out (physics.md 2.6).
+struct Pendulum {
+    Vec2 centre = Vec2::Zero();
+    double rho = 0;             // m
+    Vec2 down = Vec2::UnitX();  // unit, where psi is 0
+    double phi_down = 0;        // rad, its polar angle, whole turns counted
+    double sense = 1;           // of growing psi: +1 counter-clockwise
+    bool turns_over = false;    // else it swings
+    double swing = 1;           // sin(psi / 2) where it turns back
+    double pace = 0;            // 1/s, of the functions' argument
+    double phase = 0;           // the argument at the beginning
+    geometry::Jacobi functions;
+    double angle = 0;    // rad, the ball's own, where psi is 0
+    double rolling = 0;  // how far the ball turns by how far it goes round
+};
+struct PendulumRun {
+    std::shared_ptr<Pendulum const> pendulum;
+};
+
+using Motion = std::variant<Straight, Ballistic, SpringFlight, LineSwing, CircleRun, PendulumRun>;
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -78,6 +100,9 @@ State at(Leg const& leg, double t);
 
 // The state `span` seconds after the leg began.
 State at_span(Leg const& leg, double span);
+
+// The polar angle on a circular track `span` seconds after the leg began, whole turns counted; nothing on other ways.
+std::optional<double> polar_angle_at(Motion const& motion, double span);
 
 // An upper bound of |d^2 position/dt^2| over [from, to] within the leg, m/s^2.
 double acceleration_bound(Leg const& leg, double from, double to);

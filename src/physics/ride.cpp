@@ -14,17 +14,11 @@ namespace {
 // Slip below this share of the speeds is rounding: the ball grips.
 constexpr double grip_share = 1e-12;
 
-double phi_at_end(CircleRun const& run, double t) {
-    double phi = 0;
-    for (int i = series_order; i >= 0; --i) phi = phi * t + run.series->phi[i];
-    return phi;
-}
-
 // A closed circle is run round more than once: q goes on counting.
 double coordinate_of(Track const& track, Leg const& leg, State const& state, double span) {
-    auto const* run = std::get_if<CircleRun>(&leg.motion);
-    if (run == nullptr || !track.closed) return nearest_coordinate(track, state.position);
-    return (track.phi0 - phi_at_end(*run, span)) * track.rho * track.sense;
+    auto const phi = polar_angle_at(leg.motion, span);
+    if (!track.closed || !phi) return nearest_coordinate(track, state.position);
+    return (track.phi0 - *phi) * track.rho * track.sense;
 }
 
 // `span` seconds after the leg began.
