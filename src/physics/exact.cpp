@@ -15,6 +15,8 @@ namespace {
 constexpr double moment = 1e-12;  // s
 // Speeds of approach below this share of the speeds are rounding.
 constexpr double speed_rounding = 1e-12;
+// Balls nearer than this share of the distance of their centres touch: what placing them side by side rounds.
+constexpr double touching = 1e-12;
 
 // One call's view of the world: what does not change, and where legs and events go.
 class Timeline {
@@ -170,10 +172,10 @@ private:
             return true;
         }
         if (!watched(i)) return false;
-        std::vector<Pair> const pairs = closing_pairs();
-        if (pairs.empty()) return false;
         std::vector<State> states;
         for (int b = 0; b < count(); ++b) states.push_back(at(world_.legs[b], world_.time));
+        std::vector<Pair> const pairs = closing_pairs(states);
+        if (pairs.empty()) return false;
         strike_together(scene_.balls, pairs, states);
         std::vector<int> touched;
         for (Pair const& p : pairs) {
@@ -204,23 +206,31 @@ private:
         return turnout;
     }
 
-    std::vector<Pair> closing_pairs() const {
+    bool hits_now(int i) const {
+        return world_.outlooks[i].hit_ball >= 0 && world_.outlooks[i].hit_time <= world_.time + moment;
+    }
+
+    // A ball looks out for one other only: whoever else touches it as it is hit takes part in the blow.
+    std::vector<Pair> closing_pairs(std::vector<State> const& states) const {
         std::vector<Pair> pairs;
-        for (int a = 0; a < count(); ++a) {
-            int const b = world_.outlooks[a].hit_ball;
-            if (b < 0 || world_.outlooks[a].hit_time > world_.time + moment) continue;
-            Pair const pair{std::min(a, b), std::max(a, b)};
-            State const sa = at(world_.legs[pair.a], world_.time), sb = at(world_.legs[pair.b], world_.time);
-            double const speeds = geometry::length(sa.velocity) + geometry::length(sb.velocity);
-            // Slower than the lowest hop they do not meet any more: they press on each other.
-            double const radius = std::min(scene_.balls[pair.a].radius, scene_.balls[pair.b].radius);
-            double const least = std::sqrt(2 * scene_.gravity * lowest_hop * radius);
-            if (!(closing_speed(sa, sb) > std::max(least, speed_rounding * speeds))) continue;
-            bool const known =
-                std::any_of(pairs.begin(), pairs.end(), [&](Pair const& p) { return p.a == pair.a && p.b == pair.b; });
-            if (!known) pairs.push_back(pair);
-        }
+        for (int a = 0; a < count(); ++a)
+            for (int b = a + 1; b < count(); ++b) {
+                if (!hits_now(a) && !hits_now(b)) continue;
+                bool const met = (hits_now(a) && world_.outlooks[a].hit_ball == b) ||
+                                 (hits_now(b) && world_.outlooks[b].hit_ball == a);
+                double const gap = geometry::length(states[b].position - states[a].position) - reach(a, b);
+                if ((met || gap <= touching * reach(a, b)) && closes(a, states[a], b, states[b]))
+                    pairs.push_back({a, b});
+            }
         return pairs;
+    }
+
+    // Slower than the lowest hop they do not meet any more: they press on each other.
+    bool closes(int a, State const& at_a, int b, State const& at_b) const {
+        double const speeds = geometry::length(at_a.velocity) + geometry::length(at_b.velocity);
+        double const radius = std::min(scene_.balls[a].radius, scene_.balls[b].radius);
+        double const least = std::sqrt(2 * scene_.gravity * lowest_hop * radius);
+        return closing_speed(at_a, at_b) > std::max(least, speed_rounding * speeds);
     }
 
     Scene const& scene_;
