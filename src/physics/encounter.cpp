@@ -16,7 +16,7 @@ namespace {
 constexpr double longest_search = 1;     // s, conservative advancement looks this far at a time
 constexpr double gap_accuracy = 1e-13;   // m
 constexpr double blink = 1e-6;           // s, over which a touch without pressure stays one
-constexpr double glimpse = 1e-8;           // s, in which no ball bends back by more than gap_accuracy
+constexpr double glimpse = 1e-8;         // s, in which no ball bends back by more than gap_accuracy
 constexpr double rate_rounding = 1e-12;  // share of the speeds below which a rate of approach is rounding
 constexpr int advancement_cap = 4000;
 constexpr int blow_sweeps = 2000;        // Gauss-Seidel sweeps over the pairs of one batch
@@ -76,7 +76,10 @@ Encounter advanced_encounter(Leg const& a, Leg const& b, double reach, double fr
             t += std::max(glimpse, open_time(0, now.rate, bound));
             continue;
         }
-        t += open_time(std::max(0.0, now.gap), now.rate, bound);
+        double const next = t + open_time(std::max(0.0, now.gap), now.rate, bound);
+        // The clock cannot tell the rest of the way any more.
+        if (next == t) return {t, true, false};
+        t = next;
     }
     return {std::min(t, end), false, false};
 }
