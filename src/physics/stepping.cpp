@@ -1,5 +1,6 @@
 #include "physics/stepping.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/steps_along.h"
@@ -8,14 +9,25 @@
 
 namespace physics {
 
+namespace {
+
+// m and m/s: a swing that has died down to this is over. Denormal numbers, which it would come to, slow each step down.
+constexpr double over = 1e-200;
+
+geometry::Swing unless_over(geometry::Swing const& swing) {
+    return std::max(std::abs(swing.displacement), std::abs(swing.rate)) > over ? swing : geometry::Swing{};
+}
+
+}  // namespace
+
 Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity, double time) {
     if (!field.pulled)
         return {position + time * velocity + (0.5 * time * time) * field.gravity, velocity + time * field.gravity};
     geometry::Basis const basis = geometry::basis_at(field.spring, time);
     Vec2 const equilibrium = field.target + field.gravity / field.spring.stiffness;
     Vec2 const d = position - equilibrium;
-    geometry::Swing const x = swing_after(field.spring, basis, {d.x(), velocity.x()});
-    geometry::Swing const y = swing_after(field.spring, basis, {d.y(), velocity.y()});
+    geometry::Swing const x = unless_over(swing_after(field.spring, basis, {d.x(), velocity.x()}));
+    geometry::Swing const y = unless_over(swing_after(field.spring, basis, {d.y(), velocity.y()}));
     return {equilibrium + Vec2(x.displacement, y.displacement), Vec2(x.rate, y.rate)};
 }
 
