@@ -117,6 +117,8 @@ Track vertex_track(Vertex const& vertex, double radius) {
 
 Terrain terrain_of(std::vector<Piece> pieces) {
     Terrain terrain;
+    // What has no length has neither a tangent nor a side to touch.
+    std::erase_if(pieces, [](Piece const& piece) { return !(geometry::length_of(piece.curve) > 0); });
     terrain.pieces = std::move(pieces);
     auto const count = terrain.pieces.size();
     terrain.start_vertex.assign(count, -1);
