@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The same runs come to the same bits whatever compiled the program: builds what moves the balls with other compilers and
+# T20: the same runs come to the same bits whatever compiled the program: builds what moves the balls with other compilers and
 # flags, in folders that are kept beside the build, and compares with what the build under test prints. A sanitized build
 # is compared with what the plain one's folders last printed, as long as that is not out of date.
 set -euo pipefail

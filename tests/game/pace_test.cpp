@@ -8,14 +8,14 @@
 using game::Pace;
 using game::simulated_time;
 
-TEST_CASE("an hour of frames of 1/60 s is an hour, without drift") {
+TEST_CASE("T18: an hour of frames of 1/60 s is an hour, without drift") {
     Pace pace;
     for (int frame = 0; frame < 60 * 3600; ++frame) pace = game::after(pace, 1.0 / 60);
     // A tick at most is owed; sums of 1/60 in single precision would be seconds off.
     CHECK(std::abs(simulated_time(pace) - 3600) <= 1 / game::ticks_per_second);
 }
 
-TEST_CASE("after a long frame at most eight frames are caught up with") {
+TEST_CASE("T17: after a long frame at most eight frames are caught up with") {
     CHECK(simulated_time(game::after(Pace{}, 2.0)) == 8.0 / 60);
     CHECK(simulated_time(game::after(Pace{}, 1e300)) == 8.0 / 60);
     CHECK(simulated_time(game::after(Pace{}, std::numeric_limits<double>::infinity())) == 8.0 / 60);

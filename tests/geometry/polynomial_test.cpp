@@ -120,7 +120,7 @@ std::vector<Exact> roots_of(std::vector<Exact> const& p, Exact until) {
 
 }  // namespace
 
-TEST_CASE("no hit deeper than 1e-11 of the radius is missed and none is invented, in seven families") {
+TEST_CASE("T7: no hit deeper than 1e-11 of the radius is missed and none is invented, in seven families") {
     for (int family = generic; family <= coasting; ++family) {
         CAPTURE(family);
         std::mt19937_64 random(family + 1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace laws {
 
@@ -34,6 +35,16 @@ Slope slope_with(double angle, physics::Ball ball, physics::Material const& of) 
     return slope;
 }
 
+physics::Scene course_at(Vec2 const& origin, double restitution) {
+    auto const of = material(0.3, restitution, 0.01);
+    auto const segment = [&](double x1, double y1, double x2, double y2) {
+        return line(origin + Vec2(x1, y1), origin + Vec2(x2, y2), of);
+    };
+    return scene_of({segment(-4, 4, 0, 1), segment(0, 1, 3, 1), arc(origin + Vec2(3, 3), 2, -pi / 2, pi / 3, of),
+                     segment(6, 0, 12, 0), segment(12, 0, 12, 6), segment(-4, 4, -4, 8)},
+                    {disc_at(origin + Vec2(-2, 4.25))});
+}
+
 Run::Run(physics::Method const& m, physics::Scene const& s)
     : method(m), scene(s), world(physics::world_at_start(method, scene, history)) {}
 
@@ -55,6 +66,40 @@ physics::State state_after(physics::Method const& method, physics::Scene const& 
     Run run(method, scene);
     run.to(time);
     return run.state();
+}
+
+double deepest_overlap(Run const& run) {
+    double deepest = 0;
+    for (std::size_t i = 0; i < run.scene.balls.size(); ++i) {
+        double const r = run.scene.balls[i].radius;
+        Vec2 const p = run.state(static_cast<int>(i)).position;
+        deepest = std::max(deepest, r - p.y());
+        for (std::size_t j = 0; j < i; ++j) {
+            double const between = geometry::length(p - run.state(static_cast<int>(j)).position);
+            deepest = std::max(deepest, r + run.scene.balls[j].radius - between);
+        }
+    }
+    return deepest;
+}
+
+double fastest(Run const& run) {
+    double most = 0;
+    for (std::size_t i = 0; i < run.scene.balls.size(); ++i)
+        most = std::max(most, geometry::length(run.state(static_cast<int>(i)).velocity));
+    return most;
+}
+
+Vec2 momentum_of(Run const& run) {
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t i = 0; i < run.scene.balls.size(); ++i)
+        sum += run.scene.balls[i].mass * run.state(static_cast<int>(i)).velocity;
+    return sum;
+}
+
+bool same_bits(physics::State const& a, physics::State const& b) {
+    double const p[] = {a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), a.angle, a.spin};
+    double const q[] = {b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), b.angle, b.spin};
+    return std::memcmp(p, q, sizeof p) == 0;
 }
 
 double energy_of(Run const& run) {

@@ -14,6 +14,13 @@ using geometry::Vec2;
 inline constexpr double full_grip = std::numeric_limits<double>::infinity();
 inline constexpr double g = 9.81;  // m/s^2, of every scene unless it says otherwise
 
+// The sanitizers slow tests down by more than ten: where cases are many they run fewer.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 inline physics::Material material(double friction, double restitution = 0, double rolling_resistance = 0) {
     return {friction, restitution, rolling_resistance};
 }
@@ -38,6 +45,9 @@ struct Slope {
 };
 Slope slope_with(double angle, physics::Ball ball, physics::Material const& of);
 
+// A course with a slope, an arc, a flat stretch and a wall about `origin`; a disc slides down it, rolls, flies, lands.
+physics::Scene course_at(Vec2 const& origin, double restitution);
+
 // A world under way.
 struct Run {
     physics::Method method;
@@ -53,6 +63,15 @@ struct Run {
     physics::Leg const& leg(int ball = 0) const { return world.legs[ball]; }
 };
 physics::State state_after(physics::Method const& method, physics::Scene const& scene, double time);
+
+// How deep the deepest overlap of two balls, or of a ball with the floor y = 0, is, m; and the fastest ball, m/s.
+double deepest_overlap(Run const& run);
+double fastest(Run const& run);
+
+// The sum of mass times velocity, kg m/s.
+Vec2 momentum_of(Run const& run);
+
+bool same_bits(physics::State const& a, physics::State const& b);
 
 // Kinetic energy of centre and spin, and height; of all balls.
 double energy_of(Run const& run);

@@ -92,6 +92,8 @@ TEST_CASE("all four arcs between two points") {
     }
 }
 
+TEST_CASE("T16: lines of no length are no surface") { CHECK(curves_of(read(lone_path("M1 5h0h1v0l1 0"))).size() == 2); }
+
 TEST_CASE("radii that do not reach grow, radii of zero make a line, equal ends nothing") {
     Arc const grown = std::get<Arc>(curves_of(read(lone_path("M1 5A.5 .5 0 0 1 3 5")))[0]);
     CHECK(grown.radius == 1);

@@ -12,7 +12,7 @@ TEST_CASE("the fault of the contract, to the letter") {
                       (file.path() + ":4: ball: data-mass must be greater than 0, got -1").c_str());
 }
 
-TEST_CASE("every number out of its range is a fault that names it") {
+TEST_CASE("T16: every number out of its range is a fault that names it") {
     auto const ball = [](std::string const& attribute) {
         return fault_of("<svg viewBox='0 0 9 9'>\n<circle class='ball' cx='3' cy='3' r='1' " + attribute + "/></svg>");
     };

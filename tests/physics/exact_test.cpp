@@ -61,7 +61,7 @@ TEST_CASE("asking more often does not change a bit") {
     CHECK(same_bits(coarse, run(1000, 9)));
 }
 
-TEST_CASE("a scene far from the origin takes the same path") {
+TEST_CASE("T15: a scene far from the origin takes the same path") {
     // Doubles at 1e5 m are 1.5e-11 m apart; bounces and slip multiply that a little: 1e-9 r (physics.md 5, T15).
     Vec2 const away(1e5, -1e5);
     Stage here(course(0, Vec2::Zero(), 1, 0), {disc(0.5, {-2, 4.2})});
@@ -118,7 +118,7 @@ TEST_CASE("elastic bounces among fixed discs: no overlap, no drift of energy") {
     CHECK(std::abs(energy_of(stage.scene.balls[0], stage.now(), 0) / before - 1) <= 1e-9);
 }
 
-TEST_CASE("bounces that never end come to rest at their limit") {
+TEST_CASE("T11: bounces that never end come to rest at their limit") {
     // Total time sqrt(2h/g)(1+e)/(1-e) (physics.md 2.13).
     for (double const e : {0.35, 0.8, 0.99}) {
         CAPTURE(e);
@@ -133,7 +133,7 @@ TEST_CASE("bounces that never end come to rest at their limit") {
     }
 }
 
-TEST_CASE("ten minutes at rest leave every bit where it was") {
+TEST_CASE("T12: ten minutes at rest leave every bit where it was") {
     std::vector<Piece> const groove{line({-3, 3}, {0, 0}), line({0, 0}, {3, 3})};
     Stage stage(groove, {disc(0.5, {0, 0.5 * std::sqrt(2.0)})});
     State const before = stage.now();
@@ -142,7 +142,7 @@ TEST_CASE("ten minutes at rest leave every bit where it was") {
     CHECK(stage.world.legs[0].phase == Phase::rest);
 }
 
-TEST_CASE("five touching balls pass the blow to the last, in either order of creation") {
+TEST_CASE("T19: five touching balls pass the blow to the last, in either order of creation") {
     for (bool const reversed : {false, true}) {
         std::vector<Ball> balls{disc(0.5, {-3, 0.5}, {2, 0})};
         for (int i = 0; i < 5; ++i) balls.push_back(disc(0.5, {1.0 * i, 0.5}));
@@ -161,7 +161,7 @@ TEST_CASE("five touching balls pass the blow to the last, in either order of cre
     }
 }
 
-TEST_CASE("a ball that strikes two at once throws them apart symmetrically") {
+TEST_CASE("T19: a ball that strikes two at once throws them apart symmetrically") {
     // Elastic, no friction: the two leave along the lines of centres with J = 2 v cos / (1 + 2 cos^2), from momentum
     // and energy.
     Ball striker = disc(0.5, {-2, 0}, {3, 0});
@@ -218,7 +218,7 @@ TEST_CASE("the state at an earlier time is read from the history") {
         CHECK(geometry::length(state_at(stage.history, 0, 0.2 * i).position - seen[i - 1].position) <= 1e-12);
 }
 
-TEST_CASE("nothing passes a line however fast it comes") {
+TEST_CASE("T6: nothing passes a line however fast it comes") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> angle(-1.5, 1.5), exponent(0, 5);
     for (int i = 0; i < (sanitized ? 2'000 : 100'000); ++i) {
@@ -230,7 +230,7 @@ TEST_CASE("nothing passes a line however fast it comes") {
     }
 }
 
-TEST_CASE("numbers that are not finite are refused and change nothing") {
+TEST_CASE("T16: numbers that are not finite are refused and change nothing") {
     Stage stage({line({-5, 0}, {5, 0})}, {disc(0.5, {0, 2})});
     stage.to(0.1);
     State const before = stage.now();
@@ -250,7 +250,7 @@ TEST_CASE("numbers that are not finite are refused and change nothing") {
     CHECK(same_bits(before, stage.now()));
 }
 
-TEST_CASE("starts and targets of any size end, and stay finite") {
+TEST_CASE("T16: starts and targets of any size end, and stay finite") {
     for (double const size : {1e-300, 1e-9, 1.0, 1e6, 1e300}) {
         CAPTURE(size);
         Stage stage({line({-5, 0}, {5, 0}), line({5, 0}, {5, 5}), line({-5, 0}, {-5, 5})}, {disc(0.5, {0, 0.5})});

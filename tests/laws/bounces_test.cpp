@@ -1,0 +1,122 @@
+// T10 and T11: bounces, the lowest and the last.
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "bounds.h"
+#include "scenes.h"
+
+using namespace laws;
+using geometry::dot;
+
+namespace {
+
+// Time of the last event of a kind, or never.
+double time_of_last(physics::EventKind kind, physics::History const& history) {
+    double time = physics::never;
+    for (physics::Event const& event : history.events)
+        if (event.kind == kind) time = event.time;
+    return time;
+}
+
+// Bounces on a slope that all stick, from a drop of `height` above it along its normal (physics.md 2.13).
+struct Bounces {
+    double end = 0;    // s, their limit
+    double way = 0;    // m, down the slope until then
+    double speed = 0;  // m/s, down the slope then
+};
+Bounces bounces_that_stick(double angle, double height, double restitution) {
+    double const normal = g * std::cos(angle), along = g * std::sin(angle), k = 0.5;
+    double const fall = std::sqrt(2 * height / normal), up = restitution * normal * fall;
+    double const span = 2 * up / (normal * (1 - restitution));
+    double const squares = std::pow(2 * up / normal, 2) / (1 - restitution * restitution);
+    double const speed = along * fall / (1 + k);
+    return {fall + span,
+            along * fall * fall / 2 + speed * span + along * span * span / (2 * (1 + k)) +
+                along / 2 * k / (1 + k) * squares,
+            speed + along * span / (1 + k)};
+}
+
+}  // namespace
+
+TEST_CASE("T10: a ball dropped from h bounces to e^2 h, also from 5 cm") {
+    for (Bound const& bound : bounds_of(Law::bounce))
+        for (double const drop : {0.05, 1.0}) {
+            Run run(bound.method, floor_with(disc_at({0, 0.5 + drop}), material(0.9, 0.8)));
+            run.to(std::sqrt(2 * drop / g) * 1.3);
+            double const energy =
+                0.5 * dot(run.state().velocity, run.state().velocity) + g * (run.state().position.y() - 0.5);
+            CHECK(energy / g == doctest::Approx(0.64 * drop).epsilon(bound.tolerance));
+        }
+}
+
+TEST_CASE("T10 pinned: article never bounces, whatever the surface") {
+    Run run(physics::Article{}, floor_with(disc_at({0, 1.5}), material(0.9, 0.8)));
+    for (int i = 1; i <= 480; ++i) {
+        run.to(i / 240.0);
+        // It stops where it lands, within the way of a step.
+        if (run.world.time > std::sqrt(2 / g) + 1 / 240.0) REQUIRE(run.state().position.y() == 0.5);
+    }
+    CHECK(count_of(run.history, physics::EventKind::bounce) == 0);
+}
+
+TEST_CASE("T10: without loss a ball bounces for a minute to the same height") {
+    for (Bound const& bound : bounds_of(Law::bounce)) {
+        Run run(bound.method, floor_with(disc_at({0, 1.5}), material(0, 1)));
+        double const start = energy_of(run);
+        run.to(60);
+        CHECK(energy_of(run) == doctest::Approx(start).epsilon(bound.tolerance));
+    }
+}
+
+TEST_CASE("T11: bounces that never end come to rest at their limit, after few events") {
+    // From 1 m with e = 0.99: sqrt(2h/g) (1+e)/(1-e) = 89.853 s.
+    for (Bound const& bound : bounds_of(Law::rest_time))
+        for (double const e : {0.5, 0.9, 0.99}) {
+            CAPTURE(std::string(physics::name_of(bound.method)));
+            CAPTURE(e);
+            double const limit = std::sqrt(2 / g) * (1 + e) / (1 - e);
+            Run run(bound.method, floor_with(disc_at({0, 1.5}), material(0.9, e)));
+            run.to(limit + 1);
+            CHECK(time_of_last(physics::EventKind::rest, run.history) ==
+                  doctest::Approx(limit).epsilon(bound.tolerance));
+            CHECK(run.leg().phase == physics::Phase::rest);
+            CHECK(run.state().velocity == Vec2(0, 0));
+            CHECK(run.history.events.size() <= 5000);
+        }
+}
+
+TEST_CASE("T11: on a slope the bounces end in rolling, where and when their sums say") {
+    double const angle = 0.3, height = 1, e = 0.9;
+    Bounces const sum = bounces_that_stick(angle, height, e);
+    for (Bound const& bound : bounds_of(Law::rest_time)) {
+        CAPTURE(std::string(physics::name_of(bound.method)));
+        Slope slope = slope_with(angle, disc_at(Vec2::Zero()), material(0.9, e));
+        slope.scene.balls[0].start.position += height * slope.normal;
+        Run run(bound.method, slope.scene);
+        run.to(sum.end + 1);
+        double const since = run.world.time - sum.end, a = g * std::sin(angle) / 1.5;
+        CHECK(run.leg().phase == physics::Phase::roll);
+        CHECK(dot(run.state().velocity, slope.down) == doctest::Approx(sum.speed + a * since).epsilon(bound.tolerance));
+        CHECK(dot(run.state().position, slope.down) ==
+              doctest::Approx(sum.way + sum.speed * since + a * since * since / 2).epsilon(bound.tolerance));
+        CHECK(run.history.events.size() <= 5000);
+    }
+}
+
+TEST_CASE("T11 pinned: steps swallow the bounces that take off slower than gravity makes a substep") {
+    // What is left of the bounces at a take-off of v takes 2 v / (g (1 - e)): with v = g/960 at most 89.853 s end
+    // 0.208 s early. The rest is told at the end of a step.
+    double const substep = 1.0 / 960, step = 1.0 / 240;
+    for (double const e : {0.5, 0.9, 0.99}) {
+        CAPTURE(e);
+        double const limit = std::sqrt(2 / g) * (1 + e) / (1 - e), left = 2 * substep / (1 - e);
+        Run run(physics::Steps{}, floor_with(disc_at({0, 1.5}), material(0.9, e)));
+        run.to(limit + 1);
+        double const early = limit - time_of_last(physics::EventKind::rest, run.history);
+        CHECK(early <= left);
+        CHECK(early >= e * e * left - step);
+        CHECK(run.leg().phase == physics::Phase::rest);
+        CHECK(run.history.events.size() <= 5000);
+    }
+}

@@ -1,0 +1,134 @@
+// T9 and T3: walls, steps, vertices, and polylines that stand for curves.
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "bounds.h"
+#include "scenes.h"
+
+using namespace laws;
+using geometry::length;
+
+namespace {
+
+// A hill of radius 5 about (0, -5) as a polyline of `count` chords from 0.3 rad left of the top to 0.3 rad right of it.
+std::vector<physics::Piece> polyline_hill(int count) {
+    auto const corner = [&](int i) {
+        double const angle = -0.3 + 0.6 * i / count;
+        return Vec2(5 * std::sin(angle), 5 * std::cos(angle) - 5);
+    };
+    std::vector<physics::Piece> pieces;
+    for (int i = 0; i < count; ++i) pieces.push_back(line(corner(i), corner(i + 1), material(full_grip)));
+    return pieces;
+}
+
+// A disc on the middle of the first chord, rolling up it.
+physics::Scene on_polyline_hill(int count, double speed) {
+    std::vector<physics::Piece> const pieces = polyline_hill(count);
+    auto const& first = std::get<geometry::Segment>(pieces[0].curve);
+    Vec2 const along = (first.end - first.start) / length(first.end - first.start);
+    Vec2 const middle = 0.5 * (first.start + first.end);
+    return scene_of(pieces, {disc_at(middle + 0.5 * geometry::turned_left(along), speed * along, -speed / 0.5)});
+}
+
+}  // namespace
+
+TEST_CASE("T9: a disc rolling into a wall climbs it at v / 3") {
+    auto const grip = material(full_grip);
+    for (Bound const& bound : bounds_of(Law::corner)) {
+        Run run(bound.method, scene_of({line({-9, 0}, {0, 0}, grip), line({0, 0}, {0, 9}, grip)},
+                                       {disc_at({-1.5, 0.5}, {2, 0}, -4)}));
+        run.to(0.55);
+        double const since = run.world.time - 0.5;
+        CHECK(run.state().velocity.y() == doctest::Approx(2.0 / 3 - g * since).epsilon(bound.tolerance));
+    }
+}
+
+TEST_CASE("T9 pinned: article: at a wall the ball stops dead") {
+    auto const grip = material(full_grip);
+    Run run(physics::Article{},
+            scene_of({line({-9, 0}, {0, 0}, grip), line({0, 0}, {0, 9}, grip)}, {disc_at({-1.5, 0.5}, {2, 0}, -4)}));
+    run.to(1);
+    CHECK(length(run.state().velocity) <= 1e-9);
+    CHECK(run.state().position.x() == doctest::Approx(-0.5));
+}
+
+TEST_CASE("T9: a disc climbs a step from the speed that the notes ask for, and not below") {
+    auto const grip = material(full_grip);
+    double const least = 1.31963;  // m/s, physics.md 2.11: r = 0.5, h = 0.1
+    for (Bound const& bound : bounds_of(Law::corner))
+        for (double const share : {0.995, 1.005}) {
+            double const speed = share * least;
+            Run run(bound.method, scene_of({line({-9, 0}, {0, 0}, grip), line({0, 0}, {0, 0.1}, grip),
+                                            line({0, 0.1}, {9, 0.1}, grip)},
+                                           {disc_at({-1.5, 0.5}, {speed, 0}, -speed / 0.5)}));
+            run.to(6);
+            CHECK((run.state().position.x() > 0) == (share > 1));
+        }
+}
+
+TEST_CASE("T3: at a convex vertex a disc pivots below v^2 = g r, 2.215 m/s, and is thrown above") {
+    auto const grip = material(full_grip);
+    CHECK(std::sqrt(g * 0.5) == doctest::Approx(2.215).epsilon(1e-4));
+    for (Bound const& bound : bounds_of(Law::vertex))
+        for (double const share : {1 - bound.tolerance, 1 + bound.tolerance}) {
+            double const speed = share * std::sqrt(g * 0.5);
+            Run run(bound.method, scene_of({line({-5, 0}, {0, 0}, grip), line({0, 0}, {0, -5}, grip)},
+                                           {disc_at({-1, 0.5}, {speed, 0}, -speed / 0.5)}));
+            run.to(1.1 / speed);
+            double corner = 0, lift = 0;
+            for (physics::Event const& event : run.history.events) {
+                if (event.kind == physics::EventKind::corner) corner = event.time;
+                if (event.kind == physics::EventKind::lift) lift = event.time;
+            }
+            CHECK(corner == doctest::Approx(1 / speed).epsilon(1e-9));
+            // Just below it holds on until cos has fallen by twice the share: some 9 ms for a share of 1e-3, and less
+            // as its root.
+            CHECK((lift - corner > 4e-3 * std::sqrt(bound.tolerance / 1e-3)) == (share < 1));
+        }
+}
+
+TEST_CASE("T3: a polyline is no substitute for a hill: at 4 m/s it throws the disc at once, however fine it is") {
+    for (Bound const& bound : bounds_of(Law::hill)) {
+        if (std::holds_alternative<physics::Article>(bound.method)) continue;  // it tells of no lift
+        for (int const chords : {8, 32, 128}) {
+            CAPTURE(std::string(physics::name_of(bound.method)));
+            CAPTURE(chords);
+            // Hops take most of the way: it is in the air at most of the times.
+            Run fast(bound.method, on_polyline_hill(chords, 4)), slow(bound.method, on_polyline_hill(chords, 2.1));
+            int in_air = 0;
+            for (int i = 1; i <= 120; ++i) {
+                fast.to(i / 240.0);
+                in_air += fast.leg().phase == physics::Phase::flight;
+            }
+            CHECK(count_of(fast.history, physics::EventKind::lift) >= chords / 4);
+            CHECK(in_air > 30);
+            slow.to(0.5);
+            CHECK(count_of(slow.history, physics::EventKind::lift) == 0);
+        }
+    }
+}
+
+TEST_CASE("T3: the hop over a vertex is as long as the parabola says") {
+    // Off a flat line at v, on to one that falls by an angle d: the centre's parabola meets the second line's parallel
+    // where g x^2 / (2 v^2) - x tan d + r (1 / cos d - 1) = 0.
+    double const v = 4, d = 0.05, r = 0.5;
+    double const half = std::tan(d) * v * v / g;
+    double const x = half + std::sqrt(half * half - 2 * v * v / g * r * (1 / std::cos(d) - 1));
+    auto const grip = material(full_grip);
+    for (Bound const& bound : bounds_of(Law::corner)) {
+        CAPTURE(std::string(physics::name_of(bound.method)));
+        Run run(bound.method,
+                scene_of({line({-5, 0}, {0, 0}, grip), line({0, 0}, {5 * std::cos(d), -5 * std::sin(d)}, grip)},
+                         {disc_at({-1, 0.5}, {v, 0}, -v / r)}));
+        run.to(1);
+        double lift = 0, land = 0;
+        for (physics::Event const& event : run.history.events) {
+            if (event.kind == physics::EventKind::lift) lift = event.time;
+            if (event.kind == physics::EventKind::land) land = event.time;
+        }
+        CHECK(lift == doctest::Approx(1 / v).epsilon(bound.tolerance));
+        CHECK(land - lift == doctest::Approx(x / v).epsilon(100 * bound.tolerance));
+    }
+}

@@ -1,0 +1,143 @@
+// T13 and T14: columns, and heavy on light. The exact method hands piles over to steps, so both are bound.
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "bounds.h"
+#include "scenes.h"
+
+using namespace laws;
+using geometry::length;
+
+namespace {
+
+physics::Scene column(std::vector<double> const& masses) {
+    std::vector<physics::Ball> balls;
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        balls.push_back(disc_at({0, 0.5 + static_cast<double>(i)}));
+        balls.back().mass = masses[i];
+    }
+    return scene_of({line({-50, 0}, {50, 0}, material(0.9))}, balls);
+}
+
+// The overlap with which a soft contact of 30 Hz carries a weight, m (physics.md 4): weight / (m_eff (2 pi f)^2).
+double overlap_under(double mass_above, double lower, double upper) {
+    double const omega = 2 * pi * 30, effective = 1 / (1 / lower + 1 / upper);
+    return mass_above * g / (effective * omega * omega);
+}
+
+// Takes the last ball out of the world.
+void remove_last(Run& run) {
+    int const last = static_cast<int>(run.scene.balls.size()) - 1;
+    run.scene.balls.pop_back();
+    run.world.legs.pop_back();
+    run.history.legs.pop_back();
+    if (!run.world.outlooks.empty()) run.world.outlooks.pop_back();
+    run.world.still_steps.clear();
+    std::erase_if(run.world.touches, [&](physics::Touch const& t) { return t.ball == last || t.other == last; });
+}
+
+}  // namespace
+
+TEST_CASE("T13: columns of 10, 20 and 50 discs stand, a little pressed together") {
+    struct Column {
+        std::size_t count;
+        double overlap;  // share of 2r
+    };
+    for (Bound const& bound : bounds_of(Law::piles))
+        for (Column const c : {Column{10, 0.006}, Column{20, 0.012}, Column{50, 0.03}}) {
+            CAPTURE(std::string(physics::name_of(bound.method)));
+            CAPTURE(c.count);
+            Run run(bound.method, column(std::vector<double>(c.count, 1.0)));
+            run.to(4);
+            CHECK(deepest_overlap(run) <= c.overlap);
+            double const between_lowest = overlap_under(static_cast<double>(c.count - 1), 1, 1);
+            CHECK(deepest_overlap(run) == doctest::Approx(between_lowest).epsilon(bound.tolerance));
+            CHECK(fastest(run) <= 1e-3);
+        }
+}
+
+TEST_CASE("T14: a heavy disc on a light one does not press through") {
+    struct Load {
+        double mass;
+        double overlap;  // share of 2r
+    };
+    for (Bound const& bound : bounds_of(Law::piles))
+        for (Load const c : {Load{100, 0.03}, Load{400, 0.12}}) {
+            CAPTURE(std::string(physics::name_of(bound.method)));
+            CAPTURE(c.mass);
+            Run run(bound.method, column({1, c.mass}));
+            run.to(4);
+            CHECK(deepest_overlap(run) <= c.overlap);
+            double const between = overlap_under(c.mass, 1, c.mass);
+            CHECK(deepest_overlap(run) == doctest::Approx(between).epsilon(bound.tolerance));
+            CHECK(fastest(run) <= 1e-3);
+        }
+}
+
+TEST_CASE("T14: light discs whose load is taken away do not jump") {
+    for (Bound const& bound : bounds_of(Law::piles))
+        for (std::vector<double> const& masses : {std::vector<double>{1, 100}, {1, 400}, {1, 1, 100}}) {
+            CAPTURE(std::string(physics::name_of(bound.method)));
+            CAPTURE(masses.size());
+            Run run(bound.method, column(masses));
+            run.to(2);
+            remove_last(run);
+            int const top = static_cast<int>(masses.size()) - 2;
+            double highest = 0;
+            for (int i = 1; i <= 240; ++i) {
+                run.to(2 + i / 240.0);
+                highest = std::max(highest, run.state(top).position.y());
+            }
+            CHECK(highest <= 0.5 + top + 0.02 * 0.5);
+            CHECK(run.state(top).position.y() >= 0.5 + top - 0.01);
+        }
+}
+
+TEST_CASE("T14: a light disc from which a load is pulled does not jump") {
+    for (Bound const& bound : bounds_of(Law::piles)) {
+        Run run(bound.method, column({1, 100}));
+        run.to(2);
+        run.pull(1, {0, 6});
+        double highest = 0;
+        for (int i = 0; i < 60; ++i) {
+            run.to(2 + i / 60.0);
+            highest = std::max(highest, run.state(0).position.y());
+        }
+        CHECK(highest <= 0.5 + 0.02 * 0.5);
+    }
+}
+
+TEST_CASE("T13 and T14 pinned: article's balls do not meet: all of a column lie on the floor") {
+    Run run(physics::Article{}, column({1, 1, 100}));
+    run.to(4);
+    for (int i = 0; i < 3; ++i) CHECK(run.state(i).position.y() == doctest::Approx(0.5).epsilon(1e-12));
+}
+
+TEST_CASE("a heap of thirty comes to rest inside its box, and wakes when the box is tilted") {
+    auto const of = material(0.6);
+    std::vector<physics::Ball> balls;
+    for (int i = 0; i < 30; ++i) balls.push_back(disc_at({1 + 1.1 * (i % 5) + 0.03 * (i / 5), 1 + 1.1 * (i / 5)}));
+    physics::Scene const box =
+        scene_of({line({0, 0}, {7, 0}, of), line({0, 0}, {0, 20}, of), line({7, 0}, {7, 20}, of)}, balls);
+    Run run(physics::Steps{}, box);
+    run.to(15);
+    CHECK(fastest(run) <= 1e-3);
+    CHECK(deepest_overlap(run) <= 0.01);
+    physics::Forces tilted;
+    tilted.tilt = 0.8;  // steeper than a heap of round things stands
+    physics::apply(run.method, run.scene, run.world, tilted, run.history);
+    double most = 0;
+    for (int i = 1; i <= 60; ++i) {
+        run.to(15 + i / 60.0);
+        most = std::max(most, fastest(run));
+    }
+    CHECK(most > 1e-2);
+    for (int i = 0; i < 30; ++i) {
+        Vec2 const p = run.state(i).position;
+        CHECK(p.x() > 0.45);
+        CHECK(p.x() < 6.55);
+        CHECK(p.y() > 0.45);
+    }
+}
