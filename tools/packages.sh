@@ -7,11 +7,11 @@ packages_to_play=(
 )
 packages_to_test=(
     "${packages_to_play[@]}"
-    doctest-dev clang python3 xvfb xdotool x11-utils imagemagick libgl1-mesa-dri
+    doctest-dev libbenchmark-dev clang python3 xvfb xdotool x11-utils imagemagick libgl1-mesa-dri
 )
 packages_to_bench=(
     "${packages_to_play[@]}"
-    libbox2d-dev libchipmunk-dev gnuplot-nox
+    libbenchmark-dev libbox2d-dev libchipmunk-dev gnuplot-nox
 )
 
 say() { printf '%s\n' "$*" >&2; }
@@ -67,9 +67,10 @@ install_what_is_missing_to() {
     rm -f "$log"
 }
 
-# Configures and builds a preset from the top of the checkout; all it says goes to stderr, and nothing when all is built.
+# Configures and builds a preset from the top of the checkout, or the targets named after it; all it says goes to stderr,
+# and nothing when all is built.
 build_preset() {
-    local preset=$1 folder=build/$1 log
+    local preset=$1 folder=build/$1 targets=("${@:2}") log
     if [ ! -e "$folder/build.ninja" ]; then
         say "building $preset in $folder"
         mkdir -p "$folder"
@@ -80,6 +81,6 @@ build_preset() {
         }
     fi
     # What ninja and cmake say of themselves is left out; steps and errors come as they happen.
-    ninja -C "$folder" | { grep --line-buffered -vE '^(ninja: (Entering|no work)|-- |\[.*Re-(checking|running))' || true; } >&2 ||
+    ninja -C "$folder" "${targets[@]}" | { grep --line-buffered -vE '^(ninja: (Entering|no work)|-- |\[.*Re-(checking|running))' || true; } >&2 ||
         give_up "could not build $preset"
 }

@@ -79,8 +79,14 @@ struct Box2dWorld {
         balls.back()->CreateFixture(&fixture);
     }
 
-    void add_positions(std::vector<Vec2>& to) const {
+    void add(std::vector<Vec2>& to) const {
         for (b2Body const* const ball : balls) to.push_back({ball->GetPosition().x, ball->GetPosition().y});
+    }
+    void add(std::vector<physics::State>& to) const {
+        for (b2Body const* const ball : balls) {
+            b2Vec2 const at = ball->GetPosition(), velocity = ball->GetLinearVelocity();
+            to.push_back({{at.x, at.y}, {velocity.x, velocity.y}, ball->GetAngle(), ball->GetAngularVelocity()});
+        }
     }
 };
 
@@ -90,17 +96,22 @@ public:
         : rate_(contestant.rate), box_(task.scene, contestant.pieces) {
         if (task.pull) pull(task);
     }
-    std::vector<Vec2> positions_at(std::vector<double> const& times) override {
-        std::vector<Vec2> positions;
-        for (double const time : times) {
-            for (; static_cast<double>(steps_) < time * rate_ - 0.5; ++steps_)
-                box_.world.Step(static_cast<float>(1 / rate_), velocity_iterations, position_iterations);
-            box_.add_positions(positions);
-        }
-        return positions;
+    std::vector<Vec2> positions_at(std::vector<double> const& times) override { return at<Vec2>(times); }
+    std::vector<physics::State> states_at(std::vector<double> const& times) override {
+        return at<physics::State>(times);
     }
 
 private:
+    template <typename Wanted>
+    std::vector<Wanted> at(std::vector<double> const& times) {
+        std::vector<Wanted> answers;
+        for (double const time : times) {
+            for (; static_cast<double>(steps_) < time * rate_ - 0.5; ++steps_)
+                box_.world.Step(static_cast<float>(1 / rate_), velocity_iterations, position_iterations);
+            box_.add(answers);
+        }
+        return answers;
+    }
     void pull(Task const& task) {
         b2BodyDef nailed;
         b2MouseJointDef joint;
@@ -124,7 +135,7 @@ public:
     void frame() override { box_.world.Step(1 / 60.0f, iterations_, std::max(3, iterations_ * 3 / 8)); }
     std::vector<Vec2> positions() const override {
         std::vector<Vec2> positions;
-        box_.add_positions(positions);
+        box_.add(positions);
         return positions;
     }
 

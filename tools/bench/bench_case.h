@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "game/game.h"
 #include "physics/world.h"
 
 namespace bench {
@@ -14,10 +16,17 @@ using geometry::Vec2;
 
 inline constexpr int frames_per_second = 60;  // the grid on which answers are compared
 
+// A level as the game runs it, with what the player does.
+struct Play {
+    std::shared_ptr<level::Level const> level;
+    std::vector<game::Input> inputs;
+};
+
 struct Task {
     physics::Scene scene;
-    std::optional<physics::Pull> pull;  // from the start on
-    double duration = 0;                // s, a whole number of frames
+    std::optional<physics::Pull> pull;      // from the start on
+    double duration = 0;                    // s, a whole number of frames
+    std::shared_ptr<Play const> play = {};  // in place of the pull; the scene is the level's
 };
 
 // A position in more digits than any method has.

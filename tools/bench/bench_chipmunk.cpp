@@ -91,11 +91,23 @@ struct ChipmunkWorld {
         shapes.push_back(cpSpaceAddShape(space, shape));
         balls.push_back(body);
     }
-    void add_positions(std::vector<Vec2>& to) const {
+    Vec2 position_of(cpBody* ball) const {
+        cpVect const at = cpBodyGetPosition(ball);
+        return {at.x, at.y};
+    }
+    void add(std::vector<Vec2>& to) const {
+        for (cpBody* const ball : balls) to.push_back(position_of(ball));
+    }
+    void add(std::vector<physics::State>& to) const {
         for (cpBody* const ball : balls) {
-            cpVect const at = cpBodyGetPosition(ball);
-            to.push_back({at.x, at.y});
+            cpVect const velocity = cpBodyGetVelocity(ball);
+            to.push_back(
+                {position_of(ball), {velocity.x, velocity.y}, cpBodyGetAngle(ball), cpBodyGetAngularVelocity(ball)});
         }
+    }
+    bool has_run_away() const {
+        return std::any_of(balls.begin(), balls.end(),
+                           [&](cpBody* const ball) { return !(geometry::length(position_of(ball)) < run_away); });
     }
 };
 
@@ -110,17 +122,23 @@ public:
             cpDampedSpringNew(cpSpaceGetStaticBody(chipmunk_.space), chipmunk_.balls[0], vector_of(task.pull->target),
                               cpvzero, 0, mass * omega * omega, 2 * mass * omega * task.scene.drag.damping));
     }
-    std::vector<Vec2> positions_at(std::vector<double> const& times) override {
-        std::vector<Vec2> positions;
-        for (double const time : times) {
-            for (; static_cast<double>(steps_) < time * rate_ - 0.5; ++steps_) cpSpaceStep(chipmunk_.space, 1 / rate_);
-            chipmunk_.add_positions(positions);
-            if (!(geometry::length(positions.back()) < run_away)) return {};
-        }
-        return positions;
+    std::vector<Vec2> positions_at(std::vector<double> const& times) override { return at<Vec2>(times); }
+    std::vector<physics::State> states_at(std::vector<double> const& times) override {
+        return at<physics::State>(times);
     }
 
 private:
+    template <typename Wanted>
+    std::vector<Wanted> at(std::vector<double> const& times) {
+        std::vector<Wanted> answers;
+        for (double const time : times) {
+            for (; static_cast<double>(steps_) < time * rate_ - 0.5; ++steps_) cpSpaceStep(chipmunk_.space, 1 / rate_);
+            chipmunk_.add(answers);
+            if (chipmunk_.has_run_away()) return {};
+        }
+        return answers;
+    }
+
     double rate_;
     ChipmunkWorld chipmunk_;
     long steps_ = 0;
@@ -134,7 +152,7 @@ public:
     void frame() override { cpSpaceStep(chipmunk_.space, 1 / 60.0); }
     std::vector<Vec2> positions() const override {
         std::vector<Vec2> positions;
-        chipmunk_.add_positions(positions);
+        chipmunk_.add(positions);
         return positions;
     }
 

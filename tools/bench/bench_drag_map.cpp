@@ -19,16 +19,21 @@ constexpr double lowest = 0.5, highest = 60, most_damping = 2;  // Hz, Hz, of cr
 class SymplecticEuler : public Engine {
 public:
     explicit SymplecticEuler(Task const& task) : task_(task) {}
-    std::vector<Vec2> positions_at(std::vector<double> const& times) override {
+    std::vector<physics::State> states_at(std::vector<double> const& times) override {
         double const omega = 2 * geometry::pi * task_.scene.drag.frequency, dt = 1.0 / frames_per_second;
-        auto [position, velocity, angle, spin] = task_.scene.balls[0].start;
-        std::vector<Vec2> positions;
+        physics::State ball = task_.scene.balls[0].start;
+        std::vector<physics::State> states;
         for (std::size_t i = 0; i < times.size(); ++i) {
-            velocity += dt * (omega * omega * (task_.pull->target - position) -
-                              2 * task_.scene.drag.damping * omega * velocity);
-            position += dt * velocity;
-            positions.push_back(position);
+            ball.velocity += dt * (omega * omega * (task_.pull->target - ball.position) -
+                                   2 * task_.scene.drag.damping * omega * ball.velocity);
+            ball.position += dt * ball.velocity;
+            states.push_back(ball);
         }
+        return states;
+    }
+    std::vector<Vec2> positions_at(std::vector<double> const& times) override {
+        std::vector<Vec2> positions;
+        for (physics::State const& state : states_at(times)) positions.push_back(state.position);
         return positions;
     }
 

@@ -14,8 +14,9 @@ namespace bench {
 class Engine {
 public:
     virtual ~Engine() = default;
-    // Of all balls, time by time; times ascend. May be called once.
+    // Of all balls, time by time; times ascend. One of the two may be called, once.
     virtual std::vector<Vec2> positions_at(std::vector<double> const& times) = 0;
+    virtual std::vector<physics::State> states_at(std::vector<double> const& times) = 0;
 };
 
 // A method or a peer with a setting.

@@ -11,22 +11,29 @@ public:
     Ours(physics::Method const& method, Task const& task) : method_(method), task_(task) {}
 
     std::vector<Vec2> positions_at(std::vector<double> const& times) override {
+        return at<Vec2>(times, [](physics::State const& state) { return state.position; });
+    }
+    std::vector<physics::State> states_at(std::vector<double> const& times) override {
+        return at<physics::State>(times, [](physics::State const& state) { return state; });
+    }
+
+private:
+    template <typename Wanted, typename Part>
+    std::vector<Wanted> at(std::vector<double> const& times, Part const& part) {
         physics::History history;
         physics::World world = physics::world_at_start(method_, task_.scene, history);
         if (task_.pull) physics::apply(method_, task_.scene, world, {0, task_.pull}, history);
         int const balls = static_cast<int>(task_.scene.balls.size());
-        std::vector<Vec2> positions;
-        positions.reserve(times.size() * task_.scene.balls.size());
+        std::vector<Wanted> answers;
+        answers.reserve(times.size() * task_.scene.balls.size());
         for (double const time : times) {
             if (physics::advance(method_, task_.scene, world, time, history)) return {};
-            for (int ball = 0; ball < balls; ++ball)
-                positions.push_back(physics::state_at(history, ball, time).position);
+            for (int ball = 0; ball < balls; ++ball) answers.push_back(part(physics::state_at(history, ball, time)));
             physics::forget_before(history, time);
         }
-        return positions;
+        return answers;
     }
 
-private:
     physics::Method method_;
     Task task_;
 };

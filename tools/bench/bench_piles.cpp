@@ -1,16 +1,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
+#include <memory>
 
-#include "bench_maps.h"
+#include "bench_heaper.h"
+#include "bench_part.h"
 
 namespace bench {
 
 namespace {
 
-constexpr double radius = 0.5;                 // m
-constexpr int timed_frames = 20, batches = 4;  // of which the least counts
+constexpr double radius = 0.5;    // m
+constexpr int timed_frames = 20;  // of a run
+constexpr int repeats = 3;
 
 physics::Piece wall(Vec2 const& from, Vec2 const& to) { return {geometry::Segment{from, to}, {}, 0}; }
 
@@ -41,21 +43,41 @@ double deepest_overlap(std::vector<Vec2> positions) {
     return deepest;
 }
 
-double frame_milliseconds(Pile& pile) {
-    double least = physics::never;
-    for (int i = 0; i < batches; ++i) {
-        auto const before = std::chrono::steady_clock::now();
-        for (int frame = 0; frame < timed_frames; ++frame) pile.frame();
-        std::chrono::duration<double, std::milli> const span = std::chrono::steady_clock::now() - before;
-        least = std::min(least, span.count() / timed_frames);
+// A pile that is made and settles when it is first needed.
+struct Heap {
+    Heaper heaper;
+    int count = 0;
+    double settling = 0;  // s
+    std::unique_ptr<Pile> pile;
+    double overlap = 0;  // m
+
+    std::string name() const { return "piles/" + std::to_string(count) + '/' + heaper.method + '/' + heaper.setting; }
+    std::map<std::string, double> settle() {
+        pile = heaper.start(pile_of(count));
+        for (int i = 0; i < settling * frames_per_second; ++i) pile->frame();
+        overlap = deepest_overlap(pile->positions());
+        return {{"overlap_m", overlap}};
     }
-    return least;
+    double seconds(int runs) {
+        auto const before = std::chrono::steady_clock::now();
+        for (int frame = 0; frame < runs * timed_frames; ++frame) pile->frame();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    }
+};
+
+Timed benchmark_of(std::shared_ptr<Heap> const& heap) {
+    constexpr double simulated = timed_frames / double(frames_per_second);
+    // A ball in a frame takes longer than a step of a lonely one.
+    double const work = heap->count * (heap->settling / simulated / repeats + 1) * timed_frames;
+    return {heap->name(),
+            simulated,
+            repeats,
+            work,
+            [heap](int runs) { return heap->seconds(runs); },
+            [heap] { return heap->settle(); }};
 }
 
-struct Heaper {
-    std::string method, setting;
-    std::unique_ptr<Pile> (*start)(physics::Scene const&) = nullptr;
-};
+}  // namespace
 
 std::vector<Heaper> heapers() {
     return {
@@ -78,20 +100,28 @@ std::vector<Heaper> heapers() {
     };
 }
 
-}  // namespace
-
-void chart_piles(std::vector<int> const& counts, double settling, std::ostream& to) {
-    to << "# piles after " << settling << " s, kept awake: milliseconds for 1/60 s, deepest overlap in radii\n"
-       << "# method\tsetting\tballs\tmilliseconds\toverlap\n";
-    for (Heaper const& heaper : heapers())
-        for (int const count : counts) {
-            std::cerr << "pile of " << count << ": " << heaper.method << ", " << heaper.setting << '\n';
-            auto const pile = heaper.start(pile_of(count));
-            for (int i = 0; i < settling * frames_per_second; ++i) pile->frame();
-            double const milliseconds = frame_milliseconds(*pile);
-            to << heaper.method << '\t' << heaper.setting << '\t' << count << '\t' << milliseconds << '\t'
-               << deepest_overlap(pile->positions()) / radius << std::endl;
+Part piles_part(std::vector<int> const& counts, double settling) {
+    Part part;
+    std::vector<std::shared_ptr<Heap>> heaps;
+    for (int const count : counts)
+        for (Heaper const& heaper : heapers()) {
+            heaps.push_back(std::make_shared<Heap>(Heap{heaper, count, settling, nullptr}));
+            part.benchmarks.push_back(benchmark_of(heaps.back()));
         }
+    part.write = [heaps, settling](Times const& times, Tables const& tables) {
+        std::ofstream to = tables.open("piles.tsv");
+        to << "# piles after " << settling << " s, kept awake: milliseconds for 1/60 s, deepest overlap in radii\n"
+           << "# method\tsetting\tballs\tmilliseconds\toverlap\n";
+        std::size_t const kinds = heapers().size();
+        for (std::size_t i = 0; i < heaps.size(); ++i) {
+            auto const& heap = heaps[i % (heaps.size() / kinds) * kinds + i / (heaps.size() / kinds)];
+            double const time = time_in(times, heap->name());
+            if (std::isnan(time)) continue;
+            to << heap->heaper.method << '\t' << heap->heaper.setting << '\t' << heap->count << '\t'
+               << time * 1e-6 / frames_per_second << '\t' << heap->overlap / radius << '\n';
+        }
+    };
+    return part;
 }
 
 }  // namespace bench
