@@ -98,7 +98,7 @@ double closing_speed(State const& a, State const& b) {
 
 void strike_together(std::vector<Ball> const& balls, std::vector<Pair> const& pairs, std::vector<State>& states) {
     std::vector<Vec2> normals;
-    std::vector<double> impulses(pairs.size(), 0.0), wanted;
+    std::vector<double> impulses(pairs.size(), 0.0), frictions(pairs.size(), 0.0), wanted;
     double fastest = 0;
     for (Pair const& p : pairs) {
         Vec2 const way = states[p.b].position - states[p.a].position;
@@ -107,25 +107,32 @@ void strike_together(std::vector<Ball> const& balls, std::vector<Pair> const& pa
         wanted.push_back(std::max(balls[p.a].restitution, balls[p.b].restitution) * closing);
         fastest = std::max(fastest, closing);
     }
-    for (int sweep = 0; sweep < blow_sweeps; ++sweep) {
-        double change = 0;
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            auto const [a, b] = pairs[i];
-            double const speed = dot(states[b].velocity - states[a].velocity, normals[i]);
-            double const yield = 1 / balls[a].mass + 1 / balls[b].mass;
-            double const impulse = std::max(-impulses[i], (wanted[i] - speed) / yield);
-            impulses[i] += impulse;
-            push_apart(balls[a], states[a], balls[b], states[b], normals[i], impulse, 0);
-            change = std::max(change, std::abs(impulse) * yield);
+    // Gauss-Seidel: `change` pushes a pair on and returns the speed by which it did; until none does any more.
+    auto const settle = [&](auto&& change) {
+        for (int sweep = 0; sweep < blow_sweeps; ++sweep) {
+            double largest = 0;
+            for (std::size_t i = 0; i < pairs.size(); ++i) largest = std::max(largest, change(i));
+            if (pairs.size() == 1 || largest <= blow_accuracy * fastest) break;
         }
-        if (pairs.size() == 1 || change <= blow_accuracy * fastest) break;
-    }
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+    };
+    settle([&](std::size_t i) {
+        auto const [a, b] = pairs[i];
+        double const speed = dot(states[b].velocity - states[a].velocity, normals[i]);
+        double const yield = 1 / balls[a].mass + 1 / balls[b].mass;
+        double const impulse = std::max(-impulses[i], (wanted[i] - speed) / yield);
+        impulses[i] += impulse;
+        push_apart(balls[a], states[a], balls[b], states[b], normals[i], impulse, 0);
+        return std::abs(impulse) * yield;
+    });
+    settle([&](std::size_t i) {
         auto const [a, b] = pairs[i];
         double const friction =
-            pair_friction_impulse(balls[a], states[a], balls[b], states[b], normals[i], impulses[i]);
-        push_apart(balls[a], states[a], balls[b], states[b], normals[i], 0, friction);
-    }
+            pair_friction_impulse(balls[a], states[a], balls[b], states[b], normals[i], impulses[i], frictions[i]);
+        double const more = friction - frictions[i];
+        frictions[i] = friction;
+        push_apart(balls[a], states[a], balls[b], states[b], normals[i], 0, more);
+        return std::abs(more) * (1 / balls[a].mass + 1 / balls[b].mass);
+    });
 }
 
 }  // namespace physics

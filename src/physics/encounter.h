@@ -23,7 +23,7 @@ struct Pair {
 };
 
 // Blows of all pairs at once: normal speeds are reversed by each pair's restitution, solved together, so that the order
-// of the balls does not matter; then friction, pair by pair (physics.md 1). States by ball.
+// of the balls does not matter; then friction, likewise (physics.md 1). States by ball.
 void strike_together(std::vector<Ball> const& balls, std::vector<Pair> const& pairs, std::vector<State>& states);
 
 // How fast the balls close on each other (m/s), negative when they part.

@@ -15,8 +15,6 @@ namespace {
 constexpr double moment = 1e-12;  // s
 // Speeds of approach below this share of the speeds are rounding.
 constexpr double speed_rounding = 1e-12;
-// Balls nearer than this share of the distance of their centres touch: what placing them side by side rounds.
-constexpr double touching = 1e-12;
 
 // One call's view of the world: what does not change, and where legs and events go.
 class Timeline {
@@ -219,8 +217,7 @@ private:
                 bool const met = (hits_now(a) && world_.outlooks[a].hit_ball == b) ||
                                  (hits_now(b) && world_.outlooks[b].hit_ball == a);
                 double const gap = geometry::length(states[b].position - states[a].position) - reach(a, b);
-                if ((met || gap <= touching * reach(a, b)) && closes(a, states[a], b, states[b]))
-                    pairs.push_back({a, b});
+                if ((met || gap <= touch_reach) && closes(a, states[a], b, states[b])) pairs.push_back({a, b});
             }
         return pairs;
     }

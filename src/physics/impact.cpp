@@ -25,13 +25,13 @@ ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, doub
 }
 
 double pair_friction_impulse(Ball const& a, State const& at_a, Ball const& b, State const& at_b, Vec2 const& normal,
-                             double normal_impulse) {
+                             double normal_impulse, double so_far) {
     Vec2 const tangent = geometry::turned_right(normal);
     double const slip =
         geometry::dot(at_b.velocity - at_a.velocity, tangent) + at_a.spin * a.radius + at_b.spin * b.radius;
     double const yield = (1 + 1 / a.inertia) / a.mass + (1 + 1 / b.inertia) / b.mass;
     double const limit = std::sqrt(a.friction * b.friction) * normal_impulse;
-    return std::clamp(-slip / yield, -limit, limit);
+    return std::clamp(so_far - slip / yield, -limit, limit);
 }
 
 void push_apart(Ball const& a, State& at_a, Ball const& b, State& at_b, Vec2 const& normal, double normal_impulse,

@@ -19,10 +19,11 @@ ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, doub
 // Whether the impact stops the slip: |u| k/(1+k) <= mu (1+e) |v_n|.
 bool sticks(ContactSpeeds const& before, double restitution, double friction, double inertia);
 
-// Friction of ball against ball: the tangential impulse that goes with a normal one of `normal_impulse` (N s) along the
-// unit normal from a to b, along t = (n.y, -n.x): on a it acts against t, on b along it.
+// Friction of ball against ball: the tangential impulse (N s) that ends the slip, as far as goes with a normal one of
+// `normal_impulse` along the unit normal from a to b, of which `so_far` has been given to these states already. Along
+// t = (n.y, -n.x): on a it acts against t, on b along it.
 double pair_friction_impulse(Ball const& a, State const& at_a, Ball const& b, State const& at_b, Vec2 const& normal,
-                             double normal_impulse);
+                             double normal_impulse, double so_far);
 
 // Impulses (N s) act on a backwards and on b forwards; both spins turn the same way.
 void push_apart(Ball const& a, State& at_a, Ball const& b, State& at_b, Vec2 const& normal, double normal_impulse,
