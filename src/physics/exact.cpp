@@ -22,6 +22,7 @@ public:
     Timeline(Scene const& scene, World& world, History& history) : scene_(scene), world_(world), history_(history) {}
 
     void begin() {
+        world_.quiet_until = -never;
         world_.legs.resize(scene_.balls.size());
         world_.outlooks.assign(scene_.balls.size(), {});
         history_.legs.assign(scene_.balls.size(), {});
@@ -30,6 +31,7 @@ public:
     }
 
     void begin_from(Retaken const& retaken) {
+        world_.quiet_until = -never;
         world_.outlooks.assign(scene_.balls.size(), {});
         for (int i = 0; i < count(); ++i) resolve(i, retaken.states[i], retaken.contacts[i]);
         for (int i = 0; i < count(); ++i) look_for_hits(i);
@@ -39,6 +41,7 @@ public:
     bool run(double until) {
         while (true) {
             Next const next = soonest();
+            world_.quiet_until = next.time;
             if (next.time > until) break;
             world_.time = std::max(world_.time, next.time);
             if (next.is_hit ? !hit(next.ball) : !end_leg(next.ball)) return false;
@@ -48,6 +51,7 @@ public:
     }
 
     void refresh(Forces const& before) {
+        world_.quiet_until = -never;
         std::vector<int> touched;
         for (int i = 0; i < count(); ++i) {
             Field const was = field_on(scene_, before, i), is = field_on(scene_, world_.forces, i);
@@ -90,7 +94,7 @@ private:
     // Makes a turnout the ball's present.
     void take(int i, Turnout const& turnout, double time) {
         Course const& course = turnout.course;
-        std::deque<Leg>& legs = history_.legs[i];
+        Trail<Leg>& legs = history_.legs[i];
         // A leg that lasted no time leaves no trace; one that goes on is the same leg, known further ahead.
         if (!legs.empty() && legs.back().since >= course.leg.since) legs.pop_back();
         if (!legs.empty()) legs.back().until = std::min(legs.back().until, course.leg.since);
@@ -242,6 +246,10 @@ void begin_with(Exact const&, Scene const& scene, World& world, History& history
 }
 
 void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history) {
+    if (until < world.quiet_until) {
+        world.time = until;
+        return;
+    }
     while (world.time < until) {
         if (world.handed_over) {
             step_handed_over(scene, world, history);

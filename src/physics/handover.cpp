@@ -15,6 +15,7 @@ void hand_over(Scene const& scene, World& world, History& history) {
     history.events.push_back(
         {world.time, EventKind::handover, 0, at(world.legs[0], world.time), world.legs[0].contact, -1});
     world.handed_over = true;
+    world.quiet_until = -never;
     world.handover_time = world.step_origin = world.time;
     world.steps_taken = 0;
     world.touches.clear();

@@ -16,11 +16,6 @@ State state_on(Straight const& m, double t) {
     return {m.from.position + t * m.rate, m.from.velocity, m.from.angle + t * m.angle_rate, m.from.spin};
 }
 
-State state_on(Ballistic const& m, double t) {
-    return {m.from.position + t * (m.from.velocity + (0.5 * t) * m.acceleration), m.from.velocity + t * m.acceleration,
-            m.from.angle + t * (m.from.spin + 0.5 * t * m.spin_rate), m.from.spin + t * m.spin_rate};
-}
-
 State state_on(SpringFlight const& m, double t) {
     geometry::Basis const basis = geometry::basis_at(m.oscillator, t);
     Vec2 const d = m.from.position - m.equilibrium;
@@ -145,8 +140,8 @@ struct AccelerationBound {
 
 }  // namespace
 
-State at_span(Leg const& leg, double span) {
-    return std::visit([&](auto const& motion) { return state_on(motion, span); }, leg.motion);
+State state_on(Motion const& motion, double t) {
+    return std::visit([t](auto const& kind) { return state_on(kind, t); }, motion);
 }
 
 std::optional<double> polar_angle_at(Motion const& motion, double span) {
@@ -156,8 +151,6 @@ std::optional<double> polar_angle_at(Motion const& motion, double span) {
     Pendulum const& m = *run->pendulum;
     return m.phi_down + m.sense * half_angle_at(m, span).psi();
 }
-
-State at(Leg const& leg, double t) { return at_span(leg, t - leg.since); }
 
 double acceleration_bound(Leg const& leg, double from, double to) {
     return std::visit(AccelerationBound{from - leg.since, to - leg.since}, leg.motion);

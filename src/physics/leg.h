@@ -95,11 +95,21 @@ struct Leg {
     Motion motion;
 };
 
-// The state at time t, forward or back of the leg's ends as well. Never changes anything.
-State at(Leg const& leg, double t);
+inline State state_on(Ballistic const& m, double t) {
+    return {m.from.position + t * (m.from.velocity + (0.5 * t) * m.acceleration), m.from.velocity + t * m.acceleration,
+            m.from.angle + t * (m.from.spin + 0.5 * t * m.spin_rate), m.from.spin + t * m.spin_rate};
+}
+State state_on(Motion const& motion, double t);
 
-// The state `span` seconds after the leg began.
-State at_span(Leg const& leg, double span);
+// The state `span` seconds after the leg began. Most motions are ballistic, and of those only what is asked for is
+// worked out.
+inline State at_span(Leg const& leg, double span) {
+    auto const* ballistic = std::get_if<Ballistic>(&leg.motion);
+    return ballistic ? state_on(*ballistic, span) : state_on(leg.motion, span);
+}
+
+// The state at time t, forward or back of the leg's ends as well. Never changes anything.
+inline State at(Leg const& leg, double t) { return at_span(leg, t - leg.since); }
 
 // The polar angle on a circular track `span` seconds after the leg began, whole turns counted; nothing on other ways.
 std::optional<double> polar_angle_at(Motion const& motion, double span);

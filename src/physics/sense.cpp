@@ -113,7 +113,7 @@ struct Notice {
 
 std::optional<double> first_notice_by(Scene const& scene, History const& history, Sensor const& sensor, int ball,
                                       double from, double to) {
-    std::deque<Leg> const& legs = history.legs[ball];
+    Trail<Leg> const& legs = history.legs[ball];
     auto leg = std::upper_bound(legs.begin(), legs.end(), from, [](double t, Leg const& l) { return t < l.since; });
     if (leg != legs.begin()) --leg;
     for (; leg != legs.end() && leg->since <= to; ++leg) {

@@ -42,7 +42,7 @@ double touching_time(Stage const& stage, Encounter const& e, double end, double 
     return share <= 1 ? start + share * (end - start) : never;
 }
 
-void forget_events(std::deque<Event>& events, int ball, double from) {
+void forget_events(Trail<Event>& events, int ball, double from) {
     while (!events.empty() && events.back().ball == ball && events.back().kind != EventKind::hit &&
            events.back().time > from)
         events.pop_back();

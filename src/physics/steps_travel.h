@@ -1,8 +1,6 @@
 // A ball's way through a substep among fixed terrain: flight, riding on one surface, impacts, from one to the next.
 #pragma once
 
-#include <deque>
-
 #include "physics/steps_impact.h"
 #include "physics/steps_shape.h"
 #include "physics/stepping.h"
@@ -27,7 +25,7 @@ struct Substep {
     double since = 0;   // s
     double length = 0;  // s, where it ends
     double pace = 0;    // s, from one substep to the next; travel to a moment within one has a shorter length
-    std::deque<Event>& events;
+    Trail<Event>& events;
 };
 
 // Moves the traveller from `since` seconds into the substep to its end.

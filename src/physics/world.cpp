@@ -12,20 +12,21 @@ Vec2 gravity_of(Scene const& scene, Forces const& forces) {
 }
 
 void forget_before(History& history, double time) {
-    for (std::deque<Leg>& legs : history.legs)
-        while (legs.size() > 1 && legs[1].since <= time) legs.pop_front();
-    while (!history.events.empty() && history.events.front().time < time) history.events.pop_front();
+    for (Trail<Leg>& legs : history.legs) {
+        std::size_t over = 0;
+        while (over + 1 < legs.size() && legs[over + 1].since <= time) ++over;
+        if (over > 0) legs.forget(over);
+    }
+    std::size_t past = 0;
+    while (past < history.events.size() && history.events[past].time < time) ++past;
+    if (past > 0) history.events.forget(past);
     history.from = std::max(history.from, time);
 }
 
-Leg const& leg_at(History const& history, int ball, double t) {
-    std::deque<Leg> const& legs = history.legs[ball];
-    if (legs.back().since <= t) return legs.back();
+Leg const& leg_at(Trail<Leg> const& legs, double t) {
     auto const after =
         std::upper_bound(legs.begin(), legs.end(), t, [](double time, Leg const& leg) { return time < leg.since; });
     return after == legs.begin() ? legs.front() : *(after - 1);
 }
-
-State state_at(History const& history, int ball, double t) { return at(leg_at(history, ball, t), t); }
 
 }  // namespace physics

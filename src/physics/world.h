@@ -1,7 +1,6 @@
 // A world: where everything is at one time and what acts on it; and the history of how it came there. Plain data.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "physics/leg.h"
 #include "physics/outlook.h"
 #include "physics/scene.h"
+#include "physics/trail.h"
 
 namespace physics {
 
@@ -45,6 +45,7 @@ struct World {
     std::vector<int> still_steps;  // by ball, for how many steps it has stood still; apply() clears it
 
     std::vector<Outlook> outlooks;  // exact method
+    double quiet_until = -never;    // s, exact method: no event comes before, as far as is known
     bool handed_over = false;       // the exact method has let `steps` take the world for now
     double handover_time = 0;       // s, when it last did
 
@@ -80,17 +81,23 @@ struct Event {
 
 // How the world came where it is: legs by ball in order of time, the current one last, and events.
 struct History {
-    std::vector<std::deque<Leg>> legs;
-    std::deque<Event> events;
+    std::vector<Trail<Leg>> legs;
+    Trail<Event> events;
     double from = 0;  // s: nothing is known of before
 };
 
 // Drops what ended before `time`. Keeps what is needed to answer from `time` on.
 void forget_before(History& history, double time);
 
-// The leg that a ball was on at time t >= history.from. Where one leg ends as another begins, the later one.
-Leg const& leg_at(History const& history, int ball, double t);
+// The leg among those of one ball that it was on at time t, or the first.
+Leg const& leg_at(Trail<Leg> const& legs, double t);
 
-State state_at(History const& history, int ball, double t);
+// The leg that a ball was on at time t >= history.from. Where one leg ends as another begins, the later one.
+inline Leg const& leg_at(History const& history, int ball, double t) {
+    Trail<Leg> const& legs = history.legs[ball];
+    return legs.back().since <= t ? legs.back() : leg_at(legs, t);
+}
+
+inline State state_at(History const& history, int ball, double t) { return at(leg_at(history, ball, t), t); }
 
 }  // namespace physics
