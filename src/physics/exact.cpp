@@ -107,6 +107,7 @@ private:
         outlook.next_q = course.next_q;
         outlook.onset = course.onset;
         outlook.ends = turnout.ends;
+        outlook.clearing.contact = no_contact;
         for (Turnout::Happening const& happening : turnout.happenings)
             tell(happening.kind, i, at(course.leg, time), happening.contact, -1);
     }
@@ -123,8 +124,62 @@ private:
     bool end_leg(int i) {
         if (!watched(i)) return false;
         bool const same_motion = world_.outlooks[i].ending == Ending::goes_on && world_.legs[i].phase == Phase::flight;
-        take(i, after_end(setting(i), world_.legs[i], world_.outlooks[i]), world_.time);
+        if (!hop(i) && !pass(i)) {
+            Outlook const before = world_.outlooks[i];
+            take(i, after_end(setting(i), world_.legs[i], before), world_.time);
+            look_round(i, before);
+        }
         if (!same_motion) look_for_hits(i);
+        return true;
+    }
+
+    // Where the same is likely to happen again, it need not be worked out again what lies around.
+    void look_round(int i, Outlook const& before) {
+        Leg const& leg = world_.legs[i];
+        Outlook& outlook = world_.outlooks[i];
+        auto const* motion = std::get_if<Ballistic>(&leg.motion);
+        if (motion == nullptr || outlook.ending != before.ending) return;
+        if (outlook.ending == Ending::meets && leg.phase == Phase::flight && outlook.next == before.next)
+            outlook.clearing =
+                clearing_of_hop(scene_.terrain, scene_.balls[i], outlook.next, *motion, outlook.duration);
+        if (outlook.ending == Ending::joins && leg.phase == Phase::roll)
+            outlook.clearing = clearing_of_roll(scene_.terrain, scene_.balls[i], leg.contact, before.next_q, *motion);
+    }
+
+    // The same motion as until now, from another state.
+    void set_out(int i, State const& state, Contact contact, double duration, EventKind kind, Contact at_what) {
+        Leg& leg = world_.legs[i];
+        leg.since = world_.time;
+        leg.until = world_.time + duration;
+        leg.contact = contact;
+        std::get<Ballistic>(leg.motion).from = state;
+        history_.legs[i].push_back(leg);
+        world_.outlooks[i].duration = duration;
+        tell(kind, i, state, at_what, -1);
+    }
+
+    bool hop(int i) {
+        Outlook const& outlook = world_.outlooks[i];
+        Contact const floor = outlook.clearing.contact;
+        if (outlook.ending != Ending::meets || floor.feature < 0) return false;
+        auto const next = next_hop(outlook.clearing, scene_.terrain, scene_.balls[i],
+                                   std::get<Ballistic>(world_.legs[i].motion), outlook.duration);
+        if (next) set_out(i, next->state, no_contact, next->duration, EventKind::bounce, floor);
+        return next.has_value();
+    }
+
+    bool pass(int i) {
+        Outlook& outlook = world_.outlooks[i];
+        if (outlook.ending != Ending::joins || outlook.clearing.contact.feature < 0) return false;
+        auto const next = next_crossing(outlook.clearing, scene_.terrain, scene_.balls[i],
+                                       std::get<Ballistic>(world_.legs[i].motion), outlook.duration);
+        if (!next) return false;
+        Contact const piece = next->clearing.contact;
+        outlook.clearing = next->clearing;
+        outlook.ends = next->ends;
+        outlook.next = next->goal.next;
+        outlook.next_q = next->goal.next_q;
+        set_out(i, next->state, piece, next->duration, EventKind::joint, piece);
         return true;
     }
 

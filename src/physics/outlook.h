@@ -1,7 +1,7 @@
 // Outlooks: what the exact method knows of each ball's future, kept in the world from one call to the next.
 #pragma once
 
-#include "physics/track_ends.h"
+#include "physics/clearing.h"
 
 namespace physics {
 
@@ -29,7 +29,8 @@ struct Outlook {
     Contact next;             // meets, joins, turns
     double next_q = 0;        // m, on the next track
     Onset onset = Onset::none;
-    TrackEnds ends;  // of the track the ball is on
+    TrackEnds ends;     // of the track the ball is on
+    Clearing clearing;  // on or above which it hops or rolls, if known
 
     double hit_time = never;  // s, the first meeting with another ball, or until when none was found
     int hit_ball = -1;        // -1: look again at hit_time
