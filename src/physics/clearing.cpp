@@ -143,7 +143,7 @@ std::optional<Hop> next_hop(Clearing const& clearing, Terrain const& terrain, Ba
 
 namespace {
 
-// Where the track of `contact` ends towards higher (+1) or lower (-1) places.
+// Where the track of `contact` ends in the direction in which the ball rolls.
 std::optional<Junction> junction_at(Terrain const& terrain, Clearing const& clearing, Contact contact) {
     bool const at_start = (contact.side > 0) == (clearing.direction < 0);
     int const index = at_start ? terrain.start_vertex[contact.feature] : terrain.end_vertex[contact.feature];
@@ -163,6 +163,13 @@ std::optional<Junction> junction_at(Terrain const& terrain, Clearing const& clea
     return Junction{{other.piece, side}, std::abs(dot(segment->end - segment->start, clearing.track.along))};
 }
 
+// The ball's centre at the beginning or, rolling backwards, at the end of the track of a piece.
+Vec2 entry_of(Terrain const& terrain, Clearing const& clearing, Contact contact, double radius) {
+    auto const& segment = std::get<Segment>(terrain.pieces[contact.feature].curve);
+    Vec2 const& corner = (contact.side > 0) == (clearing.direction > 0) ? segment.start : segment.end;
+    return corner + radius * geometry::turned_left(clearing.track.along);
+}
+
 }  // namespace
 
 Clearing clearing_of_roll(Terrain const& terrain, Ball const& ball, Contact contact, double q, Ballistic const& roll) {
@@ -170,11 +177,10 @@ Clearing clearing_of_roll(Terrain const& terrain, Ball const& ball, Contact cont
     Clearing clearing;
     clearing.contact = contact;
     clearing.track = track_of(terrain, contact, ball.radius);
-    clearing.length = clearing.track.length;
     clearing.direction = dot(roll.from.velocity, clearing.track.along) > 0 ? 1 : -1;
     auto const ahead = junction_at(terrain, clearing, contact);
     if (!ahead) return {};
-    clearing.ahead = *ahead;
+    clearing.here = {contact, 0, clearing.track.length, *ahead};
     for (double const room : roll_rooms) {
         double const end = q + clearing.direction * room * ball.radius;
         clearing.low = std::min(q, end);
@@ -186,38 +192,32 @@ Clearing clearing_of_roll(Terrain const& terrain, Ball const& ball, Contact cont
 
 std::optional<Crossing> next_crossing(Clearing const& clearing, Terrain const& terrain, Ball const& ball,
                                       Ballistic const& roll, double duration) {
+    Section const& here = clearing.here;
     bool const forwards = clearing.direction > 0;
-    Crossing crossing;
-    crossing.state = state_on(roll, duration);
-    Clearing& there = crossing.clearing;
-    there = clearing;
-    there.contact = clearing.ahead.next;
-    there.length = clearing.ahead.length;
-    there.begin = forwards ? clearing.begin + clearing.length : clearing.begin - there.length;
-    if (there.begin < there.low || there.begin + there.length > there.high) return std::nullopt;
-    double const speed = dot(crossing.state.velocity, there.track.along);
-    auto const ahead = junction_at(terrain, there, there.contact);
-    if (!ahead || !(speed * there.direction > 0)) return std::nullopt;
-    there.ahead = *ahead;
+    double const length = here.ahead.length;
+    double const begin = forwards ? here.begin + here.length : here.begin - length;
+    if (begin < clearing.low || begin + length > clearing.high) return std::nullopt;
+    auto const ahead = junction_at(terrain, clearing, here.ahead.next);
+    if (!ahead) return std::nullopt;
 
-    auto const& segment = std::get<Segment>(terrain.pieces[there.contact.feature].curve);
-    Vec2 const corner = (there.contact.side > 0) == forwards ? segment.start : segment.end;
-    crossing.state.position = corner + ball.radius * geometry::turned_left(there.track.along);
-    crossing.state.velocity = speed * there.track.along;
-    crossing.state.spin = -speed / ball.radius;
-    TrackEnd const back{EndKind::joint, forwards ? 0 : there.length, clearing.contact, forwards ? clearing.length : 0};
-    TrackEnd const on{EndKind::joint, forwards ? there.length : 0, there.ahead.next, forwards ? 0 : there.ahead.length};
-    crossing.ends = forwards ? TrackEnds{back, on} : TrackEnds{on, back};
-
-    double const along = clearing.direction * speed;
-    double const a = clearing.direction * dot(roll.acceleration, there.track.along);
-    auto const forth = geometry::first_quadratic_fall(there.length, -along, -a / 2, never);
-    auto const again = geometry::first_quadratic_fall(0, along, a / 2, never);
+    State const before = state_on(roll, duration);
+    Vec2 const& along = clearing.track.along;
+    double const speed = dot(before.velocity, along);
+    double const pace = clearing.direction * speed, gain = clearing.direction * dot(roll.acceleration, along);
+    if (!(pace > 0)) return std::nullopt;
+    auto const forth = geometry::first_quadratic_fall(length, -pace, -gain / 2, never);
+    auto const again = geometry::first_quadratic_fall(0, pace, gain / 2, never);
     if (!forth && !again) return std::nullopt;
     bool const returns = !forth || (again && *again < *forth);
-    crossing.goal = returns ? back : on;
-    crossing.duration = returns ? *again : *forth;
-    return crossing;
+
+    TrackEnd const back{EndKind::joint, forwards ? 0 : length, here.contact, forwards ? here.length : 0};
+    TrackEnd const on{EndKind::joint, forwards ? length : 0, ahead->next, forwards ? 0 : ahead->length};
+    return Crossing{
+        {here.ahead.next, begin, length, *ahead},
+        {entry_of(terrain, clearing, here.ahead.next, ball.radius), speed * along, before.angle, -speed / ball.radius},
+        forwards ? TrackEnds{back, on} : TrackEnds{on, back},
+        returns ? -clearing.direction : clearing.direction,
+        returns ? *again : *forth};
 }
 
 }  // namespace physics

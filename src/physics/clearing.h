@@ -15,16 +15,23 @@ struct Junction {
     double length = 0;  // m, of the next piece
 };
 
+// The piece that a rolling ball is on.
+struct Section {
+    Contact contact;
+    double begin = 0;   // m, the place where it begins
+    double length = 0;  // m
+    Junction ahead;     // at its end
+};
+
 // Places are those of the ball's centre: m along the track of the piece that the ball was on when it looked round.
 struct Clearing {
-    Contact contact;  // the piece that the ball is on or over; feature -1: there is no clearing
+    Contact contact;  // the piece that it was found from; feature -1: there is no clearing
     Track track;
     double low = 0, high = 0;  // m, free between
     double top = 0;            // m, free up to this height of the centre above its track
 
-    double begin = 0, length = 0;  // m, where a rolling ball's present piece begins, and how long it is
-    int direction = 0;             // +1 or -1, in which it rolls
-    Junction ahead;
+    int direction = 0;  // +1 or -1, in which a ball rolls
+    Section here;       // where it is
 };
 
 // The clearing of a ball that has just bounced on a piece, if it comes down on it again.
@@ -45,15 +52,15 @@ Clearing clearing_of_roll(Terrain const& terrain, Ball const& ball, Contact cont
 
 // The next piece, and how the ball rolls along it.
 struct Crossing {
-    Clearing clearing;  // with the next piece as the present one
-    State state;        // at the joint
+    Section there;
+    State state;  // at the joint
     TrackEnds ends;
-    TrackEnd goal;        // the end that the ball comes to
+    int towards = 0;      // +1 or -1: the end that the ball comes to
     double duration = 0;  // s, until then
 };
 // The crossing of the joint at the end of a roll, if the next piece is in the clearing and the ground goes straight on
 // at its end.
 std::optional<Crossing> next_crossing(Clearing const& clearing, Terrain const& terrain, Ball const& ball,
-                                    Ballistic const& roll, double duration);
+                                      Ballistic const& roll, double duration);
 
 }  // namespace physics

@@ -1,20 +1,15 @@
 #include "physics/exact.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
-#include "physics/encounter.h"
 #include "physics/handover.h"
+#include "physics/meetings.h"
 #include "physics/ride.h"
 
 namespace physics {
 
 namespace {
-
-// Events of different balls nearer than this count as one moment.
-constexpr double moment = 1e-12;  // s
-// Speeds of approach below this share of the speeds are rounding.
-constexpr double speed_rounding = 1e-12;
 
 // One call's view of the world: what does not change, and where legs and events go.
 class Timeline {
@@ -27,14 +22,14 @@ public:
         world_.outlooks.assign(scene_.balls.size(), {});
         history_.legs.assign(scene_.balls.size(), {});
         for (int i = 0; i < count(); ++i) resolve(i, scene_.balls[i].start, no_contact);
-        for (int i = 0; i < count(); ++i) look_for_hits(i);
+        look_for_meetings(scene_, world_, everyone());
     }
 
     void begin_from(Retaken const& retaken) {
         world_.quiet_until = -never;
         world_.outlooks.assign(scene_.balls.size(), {});
         for (int i = 0; i < count(); ++i) resolve(i, retaken.states[i], retaken.contacts[i]);
-        for (int i = 0; i < count(); ++i) look_for_hits(i);
+        look_for_meetings(scene_, world_, everyone());
     }
 
     // Events up to and including `until`; false when the world must be handed over at world.time.
@@ -59,7 +54,7 @@ public:
             take(i, under_new_field(setting(i), world_.legs[i], world_.outlooks[i], world_.time), world_.time);
             touched.push_back(i);
         }
-        for (int const i : touched) look_for_hits(i);
+        look_for_meetings(scene_, world_, touched);
     }
 
 private:
@@ -70,6 +65,11 @@ private:
     };
 
     int count() const { return static_cast<int>(scene_.balls.size()); }
+    std::vector<int> everyone() const {
+        std::vector<int> all(scene_.balls.size());
+        std::iota(all.begin(), all.end(), 0);
+        return all;
+    }
     Setting setting(int i) const { return {scene_.terrain, scene_.balls[i], field_on(scene_, world_.forces, i)}; }
 
     // Phase changes before hits, lower balls first (physics.md 3.4).
@@ -129,7 +129,7 @@ private:
             take(i, after_end(setting(i), world_.legs[i], before), world_.time);
             look_round(i, before);
         }
-        if (!same_motion) look_for_hits(i);
+        if (!same_motion) look_for_meetings(scene_, world_, {&i, 1});
         return true;
     }
 
@@ -172,66 +172,29 @@ private:
         Outlook& outlook = world_.outlooks[i];
         if (outlook.ending != Ending::joins || outlook.clearing.contact.feature < 0) return false;
         auto const next = next_crossing(outlook.clearing, scene_.terrain, scene_.balls[i],
-                                       std::get<Ballistic>(world_.legs[i].motion), outlook.duration);
+                                        std::get<Ballistic>(world_.legs[i].motion), outlook.duration);
         if (!next) return false;
-        Contact const piece = next->clearing.contact;
-        outlook.clearing = next->clearing;
+        Contact const piece = next->there.contact;
+        TrackEnd const& goal = next->towards > 0 ? next->ends.high : next->ends.low;
+        outlook.clearing.here = next->there;
         outlook.ends = next->ends;
-        outlook.next = next->goal.next;
-        outlook.next_q = next->goal.next_q;
+        outlook.next = goal.next;
+        outlook.next_q = goal.next_q;
         set_out(i, next->state, piece, next->duration, EventKind::joint, piece);
         return true;
-    }
-
-    double reach(int i, int j) const { return scene_.balls[i].radius + scene_.balls[j].radius; }
-
-    // Whom ball i meets first, and whether it is the first that others meet.
-    void look_for_hits(int i) {
-        if (count() == 1) return;
-        look_again(i);
-        for (int j = 0; j < count(); ++j) {
-            if (j == i) continue;
-            if (world_.outlooks[j].hit_ball == i || world_.outlooks[j].hit_ball < 0) look_again(j);
-        }
-        Outlook const mine = world_.outlooks[i];
-        if (mine.hit_ball < 0) return;
-        Outlook& other = world_.outlooks[mine.hit_ball];
-        if (mine.hit_time < other.hit_time) {
-            other.hit_time = mine.hit_time;
-            other.hit_ball = i;
-        }
-    }
-
-    void look_again(int i) {
-        Outlook& mine = world_.outlooks[i];
-        mine.hit_time = never;
-        mine.hit_ball = -1;
-        for (int j = 0; j < count(); ++j) {
-            if (j == i) continue;
-            double const until = std::min({world_.legs[i].until, world_.legs[j].until, mine.hit_time});
-            Encounter const met = encounter_of(world_.legs[i], world_.legs[j], reach(i, j), world_.time, until);
-            bool const earlier = met.time < mine.hit_time;
-            // What has not been searched to its end is looked at again where the search stopped.
-            if (met.meets && earlier) {
-                mine.hit_time = met.time;
-                mine.hit_ball = j;
-            } else if (!met.meets && met.time < until && earlier) {
-                mine.hit_time = met.time;
-                mine.hit_ball = -1;
-            }
-        }
     }
 
     // All pairs that close at this moment strike together. False when balls press on each other without closing.
     bool hit(int i) {
         if (world_.outlooks[i].hit_ball < 0) {
-            look_again(i);
+            look_for_meetings(scene_, world_, {&i, 1});
             return true;
         }
         if (!watched(i)) return false;
         std::vector<State> states;
+        states.reserve(scene_.balls.size());
         for (int b = 0; b < count(); ++b) states.push_back(at(world_.legs[b], world_.time));
-        std::vector<Pair> const pairs = closing_pairs(states);
+        std::vector<Pair> const pairs = closing_pairs(scene_, world_, states);
         if (pairs.empty()) return false;
         strike_together(scene_.balls, pairs, states);
         std::vector<int> touched;
@@ -242,7 +205,7 @@ private:
         std::sort(touched.begin(), touched.end());
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
         for (int const b : touched) take(b, after_hit(b, states[b]), world_.time);
-        for (int const b : touched) look_for_hits(b);
+        look_for_meetings(scene_, world_, touched);
         return true;
     }
 
@@ -263,32 +226,6 @@ private:
         return turnout;
     }
 
-    bool hits_now(int i) const {
-        return world_.outlooks[i].hit_ball >= 0 && world_.outlooks[i].hit_time <= world_.time + moment;
-    }
-
-    // A ball looks out for one other only: whoever else touches it as it is hit takes part in the blow.
-    std::vector<Pair> closing_pairs(std::vector<State> const& states) const {
-        std::vector<Pair> pairs;
-        for (int a = 0; a < count(); ++a)
-            for (int b = a + 1; b < count(); ++b) {
-                if (!hits_now(a) && !hits_now(b)) continue;
-                bool const met = (hits_now(a) && world_.outlooks[a].hit_ball == b) ||
-                                 (hits_now(b) && world_.outlooks[b].hit_ball == a);
-                double const gap = geometry::length(states[b].position - states[a].position) - reach(a, b);
-                if ((met || gap <= touch_reach) && closes(a, states[a], b, states[b])) pairs.push_back({a, b});
-            }
-        return pairs;
-    }
-
-    // Slower than the lowest hop they do not meet any more: they press on each other.
-    bool closes(int a, State const& at_a, int b, State const& at_b) const {
-        double const speeds = geometry::length(at_a.velocity) + geometry::length(at_b.velocity);
-        double const radius = std::min(scene_.balls[a].radius, scene_.balls[b].radius);
-        double const least = std::sqrt(2 * scene_.gravity * lowest_hop * radius);
-        return closing_speed(at_a, at_b) > std::max(least, speed_rounding * speeds);
-    }
-
     Scene const& scene_;
     World& world_;
     History& history_;
@@ -300,11 +237,9 @@ void begin_with(Exact const&, Scene const& scene, World& world, History& history
     Timeline(scene, world, history).begin();
 }
 
-void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history) {
-    if (until < world.quiet_until) {
-        world.time = until;
-        return;
-    }
+namespace {
+
+void pass_events(Scene const& scene, World& world, double until, History& history) {
     while (world.time < until) {
         if (world.handed_over) {
             step_handed_over(scene, world, history);
@@ -317,6 +252,15 @@ void advance_with(Exact const&, Scene const& scene, World& world, double until, 
             hand_over(scene, world, history);
         }
     }
+}
+
+}  // namespace
+
+void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history) {
+    if (until < world.quiet_until)
+        world.time = until;
+    else
+        pass_events(scene, world, until, history);
 }
 
 void force_with(Exact const&, Scene const& scene, World& world, Forces const& before, History& history) {

@@ -5,25 +5,6 @@
 
 namespace physics {
 
-bool sticks(ContactSpeeds const& before, double restitution, double friction, double inertia) {
-    return std::abs(before.slip()) * inertia / (1 + inertia) <= friction * (1 + restitution) * -before.normal;
-}
-
-ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, double friction, double inertia) {
-    ContactSpeeds after = before;
-    after.normal = -restitution * before.normal;
-    if (before.slip() == 0) return after;
-    if (sticks(before, restitution, friction, inertia)) {
-        after.tangent = (before.tangent + inertia * before.rim) / (1 + inertia);
-        after.rim = after.tangent;
-        return after;
-    }
-    double const impulse = -std::copysign(friction * (1 + restitution) * before.normal, before.slip());
-    after.tangent += impulse;
-    after.rim -= impulse / inertia;
-    return after;
-}
-
 double pair_friction_impulse(Ball const& a, State const& at_a, Ball const& b, State const& at_b, Vec2 const& normal,
                              double normal_impulse, double so_far) {
     Vec2 const tangent = geometry::turned_right(normal);

@@ -1,6 +1,8 @@
 // Impacts: what a blow does to a ball that meets terrain, and to two balls that meet (physics.md 1).
 #pragma once
 
+#include <cmath>
+
 #include "physics/ball.h"
 
 namespace physics {
@@ -13,11 +15,26 @@ struct ContactSpeeds {
     double slip() const { return tangent - rim; }
 };
 
-// After an impact with restitution e and friction mu; a stick leaves rim == tangent to the bit. `inertia` is k.
-ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, double friction, double inertia);
-
 // Whether the impact stops the slip: |u| k/(1+k) <= mu (1+e) |v_n|.
-bool sticks(ContactSpeeds const& before, double restitution, double friction, double inertia);
+inline bool sticks(ContactSpeeds const& before, double restitution, double friction, double inertia) {
+    return std::abs(before.slip()) * inertia / (1 + inertia) <= friction * (1 + restitution) * -before.normal;
+}
+
+// After an impact with restitution e and friction mu; a stick leaves rim == tangent to the bit. `inertia` is k.
+inline ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, double friction, double inertia) {
+    ContactSpeeds after = before;
+    after.normal = -restitution * before.normal;
+    if (before.slip() == 0) return after;
+    if (sticks(before, restitution, friction, inertia)) {
+        after.tangent = (before.tangent + inertia * before.rim) / (1 + inertia);
+        after.rim = after.tangent;
+        return after;
+    }
+    double const impulse = -std::copysign(friction * (1 + restitution) * before.normal, before.slip());
+    after.tangent += impulse;
+    after.rim -= impulse / inertia;
+    return after;
+}
 
 // Friction of ball against ball: the tangential impulse (N s) that ends the slip, as far as goes with a normal one of
 // `normal_impulse` along the unit normal from a to b, of which `so_far` has been given to these states already. Along

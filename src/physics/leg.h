@@ -96,7 +96,8 @@ struct Leg {
 };
 
 inline State state_on(Ballistic const& m, double t) {
-    return {m.from.position + t * (m.from.velocity + (0.5 * t) * m.acceleration), m.from.velocity + t * m.acceleration,
+    Vec2 const mean = m.from.velocity + (0.5 * t) * m.acceleration;
+    return {m.from.position + t * mean, m.from.velocity + t * m.acceleration,
             m.from.angle + t * (m.from.spin + 0.5 * t * m.spin_rate), m.from.spin + t * m.spin_rate};
 }
 State state_on(Motion const& motion, double t);

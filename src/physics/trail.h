@@ -51,15 +51,16 @@ public:
         forgotten_ = 0;
     }
 
-    // Forgets the first `count` items. Their memory is used again once they are a good part of the whole, so that each
-    // item is moved a few times at most.
-    void forget(std::size_t count) {
-        forgotten_ += count;
+    // Forgets what lies before `first`. The memory is used again once it is a good part of the whole, so that each item
+    // is moved a few times at most.
+    void forget_before(typename std::vector<Item>::const_iterator first) {
+        if (first == begin()) return;
+        forgotten_ = static_cast<std::size_t>(first - items_.begin());
         if (forgotten_ * most_forgotten < items_.size()) return;
         items_.erase(items_.begin(), begin());
         forgotten_ = 0;
     }
-    void pop_front() { forget(1); }
+    void pop_front() { forget_before(begin() + 1); }
 
 private:
     static constexpr std::size_t most_forgotten = 4;  // one item in so many

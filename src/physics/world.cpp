@@ -7,19 +7,19 @@
 namespace physics {
 
 Vec2 gravity_of(Scene const& scene, Forces const& forces) {
+    if (forces.tilt == 0) return {0, -scene.gravity};
     auto const [sine, cosine] = geometry::sine_cosine(forces.tilt);
     return geometry::turned(Vec2(0, -scene.gravity), cosine, sine);
 }
 
 void forget_before(History& history, double time) {
     for (Trail<Leg>& legs : history.legs) {
-        std::size_t over = 0;
-        while (over + 1 < legs.size() && legs[over + 1].since <= time) ++over;
-        if (over > 0) legs.forget(over);
+        auto first = legs.begin();
+        while (first + 1 != legs.end() && (first + 1)->since <= time) ++first;
+        legs.forget_before(first);
     }
-    std::size_t past = 0;
-    while (past < history.events.size() && history.events[past].time < time) ++past;
-    if (past > 0) history.events.forget(past);
+    Trail<Event>& events = history.events;
+    events.forget_before(std::find_if(events.begin(), events.end(), [=](Event const& e) { return e.time >= time; }));
     history.from = std::max(history.from, time);
 }
 

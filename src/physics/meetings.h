@@ -1,0 +1,21 @@
+// Meetings: which balls meet first, kept in the outlooks of both.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "physics/encounter.h"
+
+namespace physics {
+
+// Events of different balls nearer than this count as one moment.
+inline constexpr double moment = 1e-12;  // s
+
+// Whom the touched balls meet first from world.time on, and whom those meet that would have met one of them.
+void look_for_meetings(Scene const& scene, World& world, std::span<int const> touched);
+
+// The pairs that strike at this moment, given where the balls are. A ball looks out for one other only: whoever else
+// touches it as it is hit takes part in the blow.
+std::vector<Pair> closing_pairs(Scene const& scene, World const& world, std::vector<State> const& states);
+
+}  // namespace physics
