@@ -19,6 +19,8 @@ void hand_over(Scene const& scene, World& world, History& history) {
     world.handover_time = world.step_origin = world.time;
     world.steps_taken = 0;
     world.touches.clear();
+    world.neighbours.clear();
+    world.reaches.clear();
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         State const state = at(world.legs[i], world.time);
         Leg leg = world.legs[i];

@@ -26,7 +26,7 @@ Vec2 on_the_way(Stage const& stage, int ball, double time, double length_of_subs
 
 // When the two first touch on their chords, or `never`. Balls that overlap from the start touch then if they close,
 // faster than `least`.
-double touching_time(Stage const& stage, Encounter const& e, double end, double least) {
+double touching_time(Stage const& stage, Neighbours const& e, double end, double least) {
     double const start = std::max(stage.departures[e.first].time, stage.departures[e.second].time);
     Vec2 const d0 = on_the_way(stage, e.second, start, end) - on_the_way(stage, e.first, start, end);
     Vec2 const d1 = stage.travellers[e.second].state.position - stage.travellers[e.first].state.position;
@@ -85,7 +85,9 @@ void answer_ground(Substep const& substep, Traveller& traveller, double now) {
 
 void go_on(Stage& stage, Substep const& substep, int ball, double time) {
     Traveller& traveller = stage.travellers[ball];
+    if (stage.asleep[ball]) stage.regroup = stage.relist = true;
     stage.asleep[ball] = 0;
+    stage.struck[ball] = 1;
     traveller.still = false;
     answer_ground(substep, traveller, time);
     stage.departures[ball] = {traveller.state, traveller.contact, time};
@@ -94,7 +96,7 @@ void go_on(Stage& stage, Substep const& substep, int ball, double time) {
 
 // How hard two touching balls are pressed together by what acts on them, as far as it can be told: two in free flight
 // fall alike, but ground beneath one, or a third ball, may hold it against the other.
-double pressing_on(Stage const& stage, Encounter const& e, Vec2 const& normal) {
+double pressing_on(Stage const& stage, Neighbours const& e, Vec2 const& normal) {
     Traveller const& a = stage.travellers[e.first];
     Traveller const& b = stage.travellers[e.second];
     Vec2 const pull_a = acceleration_in(a.field, a.state.position, a.state.velocity);
@@ -105,7 +107,7 @@ double pressing_on(Stage const& stage, Encounter const& e, Vec2 const& normal) {
     return std::max(0.0, dot(pull_a - pull_b, normal));
 }
 
-double closing_of(Stage const& stage, Encounter const& e) {
+double closing_of(Stage const& stage, Neighbours const& e) {
     State const& a = stage.travellers[e.first].state;
     State const& b = stage.travellers[e.second].state;
     Vec2 const d = b.position - a.position;
@@ -114,7 +116,7 @@ double closing_of(Stage const& stage, Encounter const& e) {
 }
 
 // Both balls are where they touch. Answers whether anything happened.
-void hit(Stage& stage, Substep const& substep, Encounter& e, double time) {
+void hit(Stage& stage, Substep const& substep, Neighbours& e, double time) {
     Traveller& a = stage.travellers[e.first];
     Traveller& b = stage.travellers[e.second];
     Vec2 const d = b.state.position - a.state.position;
@@ -128,6 +130,7 @@ void hit(Stage& stage, Substep const& substep, Encounter& e, double time) {
     a.state = impact.first;
     b.state = impact.second;
     if (!bounces && pressing > 0) {
+        stage.regroup = stage.regroup || !e.leaning;
         e.leaning = true;
         stage.leaning[e.first] = stage.leaning[e.second] = 1;
     }
@@ -135,29 +138,12 @@ void hit(Stage& stage, Substep const& substep, Encounter& e, double time) {
         substep.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
 }
 
-// Whether the two are too far apart, for what they move in a substep, to look any closer.
-bool far_apart(Stage const& stage, Encounter const& e, double pace) {
-    Traveller const& a = stage.travellers[e.first];
-    Traveller const& b = stage.travellers[e.second];
-    double const moved = pace * (length(a.state.velocity) + length(b.state.velocity));
-    double const reach = a.ball->radius + b.ball->radius + 4 * moved;
-    Vec2 const d = b.state.position - a.state.position;
-    double const fell = pace * pace * (length(a.field.gravity) + length(b.field.gravity));
-    return !a.field.pulled && !b.field.pulled && dot(d, d) > (reach + fell) * (reach + fell);
-}
-
-// Leaning balls take slow closing on each other softly; others meet at once if they close at all.
-double least_closing(Stage const& stage, Encounter const& e, double pace) {
+// Leaning balls take closing up to `soft` on each other softly; others meet at once if they close at all.
+bool collides(Stage& stage, Substep const& substep, Neighbours& e, double soft) {
     Traveller const& a = stage.travellers[e.first];
     Traveller const& b = stage.travellers[e.second];
     double const rounding = unmoving * (length(a.state.velocity) + length(b.state.velocity));
-    return e.leaning ? rounding + soft_closing * length(a.field.gravity) * pace : rounding;
-}
-
-bool collides(Stage& stage, Substep const& substep, Encounter& e) {
-    if (stage.asleep[e.first] && stage.asleep[e.second]) return false;
-    if (far_apart(stage, e, substep.pace)) return false;
-    double const least = least_closing(stage, e, substep.pace);
+    double const least = e.leaning ? rounding + soft : rounding;
     if (e.leaning && closing_of(stage, e) <= least) return false;
     double const time = touching_time(stage, e, substep.length, least);
     if (time > substep.length) return false;
@@ -170,29 +156,96 @@ bool collides(Stage& stage, Substep const& substep, Encounter& e) {
     return closes;
 }
 
-void part(Stage& stage) {
-    for (Encounter& e : stage.encounters) {
-        if (!e.leaning) continue;
-        Traveller const& a = stage.travellers[e.first];
-        Traveller const& b = stage.travellers[e.second];
-        double const reach = a.ball->radius + b.ball->radius;
-        double const slack = parted * std::min(a.ball->radius, b.ball->radius);
-        if (length(b.state.position - a.state.position) <= reach + slack) continue;
+// What is worth a closer look after the balls have moved.
+struct Suspects {
+    std::vector<int> colliding;
+    std::vector<int> parting;
+};
+
+// A bound of the length that needs no root.
+double most_length(Vec2 const& v) { return std::abs(v.x()) + std::abs(v.y()); }
+
+// Whether the two are too far apart, for what they move in a substep and `fall` besides, to have met.
+bool far_apart(Body const& a, Body const& b, Vec2 const& d, double pace, double fall) {
+    double const moved = pace * (most_length(a.velocity) + most_length(b.velocity));
+    double const reach = a.radius + b.radius + 4 * moved + fall;
+    return dot(d, d) > reach * reach;
+}
+
+// Most pairs neither collide nor part: they are told from the rest by the least that need be read.
+Suspects suspects_of(Stage const& stage, Substep const& substep, double soft) {
+    Suspects suspects;
+    double const fall = 4 * substep.pace * substep.pace * length(stage.travellers.front().field.gravity);
+    for (int const k : stage.live) {
+        Neighbours const& e = stage.neighbours[k];
+        Body const& a = stage.pile.bodies[e.first + 1];
+        Body const& b = stage.pile.bodies[e.second + 1];
+        Vec2 const d = b.position - a.position;
+        if (!e.leaning) {
+            bool const pulled = e.first == stage.pulled || e.second == stage.pulled;
+            if (pulled || !far_apart(a, b, d, substep.pace, fall)) suspects.colliding.push_back(k);
+            continue;
+        }
+        Vec2 const relative = b.velocity - a.velocity;
+        if (dot(relative, relative) > soft * soft) suspects.colliding.push_back(k);
+        double const reach = a.radius + b.radius + parted * std::min(a.radius, b.radius);
+        if (dot(d, d) > reach * reach) suspects.parting.push_back(k);
+    }
+    return suspects;
+}
+
+void part(Stage& stage, std::vector<int> const& pairs) {
+    for (int const k : pairs) {
+        Neighbours& e = stage.neighbours[k];
         e.leaning = false;
         e.impulse = {};
+        stage.asleep[e.first] = stage.asleep[e.second] = 0;
+        stage.regroup = true;
     }
+}
+
+void note_bodies(Stage& stage) {
+    for (int const i : stage.awake) {
+        stage.pile.bodies[i + 1].position = stage.travellers[i].state.position;
+        stage.pile.bodies[i + 1].velocity = stage.travellers[i].state.velocity;
+    }
+}
+
+bool any_collides(Stage& stage, Substep const& substep, std::vector<int> const& pairs, double soft) {
+    bool any = false;
+    for (int const k : pairs) any = collides(stage, substep, stage.neighbours[k], soft) || any;
+    return any;
+}
+
+// Those whose way is not what it was.
+std::vector<int> struck_pairs(Stage& stage) {
+    find_more_neighbours(stage);
+    if (stage.relist) group(stage);
+    std::vector<int> struck;
+    for (int const k : stage.live)
+        if (stage.struck[stage.neighbours[k].first] || stage.struck[stage.neighbours[k].second]) struck.push_back(k);
+    std::fill(stage.struck.begin(), stage.struck.end(), char{0});
+    return struck;
 }
 
 }  // namespace
 
 void collide(Stage& stage, Substep const& substep) {
-    for (int i = 0; i < most_passes; ++i) {
-        find_more_encounters(stage, 0);
-        bool any = false;
-        for (Encounter& e : stage.encounters) any = collides(stage, substep, e) || any;
-        if (!any) break;
+    double const soft = soft_closing * length(stage.travellers.front().field.gravity) * substep.pace;
+    find_more_neighbours(stage);
+    if (stage.relist) group(stage);
+    note_bodies(stage);
+    Suspects suspects = suspects_of(stage, substep, soft);
+    stage.struck.assign(stage.travellers.size(), 0);
+    bool const any = any_collides(stage, substep, suspects.colliding, soft);
+    for (int i = 1; i < most_passes && any; ++i)
+        if (!any_collides(stage, substep, struck_pairs(stage), soft)) break;
+    if (any) {
+        if (stage.relist) group(stage);
+        note_bodies(stage);
+        suspects = suspects_of(stage, substep, soft);
     }
-    part(stage);
+    part(stage, suspects.parting);
 }
 
 }  // namespace physics

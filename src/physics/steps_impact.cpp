@@ -52,6 +52,7 @@ PairImpact after_pair_impact(State const& first, Ball const& one, State const& s
 double friction_between(Ball const& a, Ball const& b) {
     // Frictionless wins over full grip: 0 times infinity is no number.
     if (a.friction == 0 || b.friction == 0) return 0;
+    if (a.friction == b.friction) return a.friction;
     return std::sqrt(a.friction) * std::sqrt(b.friction);
 }
 double restitution_between(Ball const& a, Ball const& b) { return std::max(a.restitution, b.restitution); }

@@ -1,14 +1,9 @@
 // Impacts: the impulse at one contact, with restitution and Coulomb friction (physics.md 1). It never gains energy.
 #pragma once
 
-#include "physics/scene.h"
+#include "physics/world.h"
 
 namespace physics {
-
-struct Impulse {
-    double normal = 0;   // N s per kg against terrain, N s between balls
-    double tangent = 0;  // the same, along t = (n.y, -n.x)
-};
 
 // The state of a ball just after it hits fixed terrain whose unit normal is `normal`, with restitution e and friction
 // mu.

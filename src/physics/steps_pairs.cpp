@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "physics/steps_pile.h"
 
 namespace physics {
 
@@ -9,7 +12,7 @@ using geometry::Box;
 
 namespace {
 
-constexpr double ease = 0.1;  // share of the radius by which a box is wider than the way ahead asks for
+constexpr double ease = 0.1;  // share of the radius by which a reach is wider than the way ahead asks for
 
 // Where a ball may be within the next `step` seconds, with some to spare so that the next steps need no new look.
 Box reach_of(Traveller const& traveller, double step) {
@@ -20,127 +23,169 @@ Box reach_of(Traveller const& traveller, double step) {
     return {p - Vec2::Constant(margin), p + Vec2::Constant(margin)};
 }
 
-bool covers(Box const& known, Traveller const& traveller, double step) {
+bool covers(Box const& reach, Traveller const& traveller, double step) {
     Vec2 const& p = traveller.state.position;
-    double const ahead = traveller.ball->radius + step * geometry::length(traveller.state.velocity);
-    return p.x() - ahead >= known.low.x() && p.x() + ahead <= known.high.x() && p.y() - ahead >= known.low.y() &&
-           p.y() + ahead <= known.high.y();
+    double const x = traveller.ball->radius + step * std::abs(traveller.state.velocity.x());
+    double const y = traveller.ball->radius + step * std::abs(traveller.state.velocity.y());
+    return p.x() - x >= reach.low.x() && p.x() + x <= reach.high.x() && p.y() - y >= reach.low.y() &&
+           p.y() + y <= reach.high.y();
 }
 
-bool before(Encounter const& a, Encounter const& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-}
+bool knows_all(Stage const& stage) { return stage.reaches.size() == stage.travellers.size(); }
 
-void sort_from_left(Stage& stage) {
-    if (stage.order.size() != stage.travellers.size()) {
-        stage.order.resize(stage.travellers.size());
-        for (std::size_t i = 0; i < stage.order.size(); ++i) stage.order[i] = static_cast<int>(i);
-    }
-    std::sort(stage.order.begin(), stage.order.end(), [&](int a, int b) {
-        double const left = stage.known[a].low.x(), right = stage.known[b].low.x();
-        return left != right ? left < right : a < b;
+bool all_covered(Stage const& stage, double time) {
+    return std::all_of(stage.travellers.begin(), stage.travellers.end(), [&](Traveller const& traveller) {
+        return stage.asleep[traveller.index] || covers(stage.reaches[traveller.index], traveller, time);
     });
 }
 
-std::vector<Encounter> overlapping_pairs(Stage const& stage) {
-    std::vector<Encounter> pairs;
-    for (std::size_t i = 0; i < stage.order.size(); ++i) {
-        int const a = stage.order[i];
-        for (std::size_t j = i + 1; j < stage.order.size(); ++j) {
-            int const b = stage.order[j];
-            if (stage.known[b].low.x() > stage.known[a].high.x()) break;
-            if (overlap(stage.known[a], stage.known[b])) pairs.push_back({std::min(a, b), std::max(a, b), false, {}});
-        }
+bool before(Neighbours const& a, Neighbours const& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+}
+
+// One ball's reach, in the band of the plane in which it begins.
+struct Span {
+    double band = 0;
+    double left = 0, right = 0;  // m
+    Vec2 centre = Vec2::Zero();  // m
+    double rim = 0;              // m, how far from there its rim can come
+    int ball = 0;
+};
+
+// Band by band, from left to right. A band is as high as the highest reach, so that one reaches into the next at most.
+std::vector<Span> spans_of(Stage const& stage, double height) {
+    std::vector<Span> spans(stage.reaches.size());
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        Box const& box = stage.reaches[i];
+        double const radius = stage.travellers[i].ball->radius;
+        double const slack = 0.5 * (box.high.x() - box.low.x()) - radius;
+        spans[i] = {std::floor(box.low.y() / height), box.low.x(),        box.high.x(), 0.5 * (box.low + box.high),
+                    radius + std::sqrt(2.0) * slack,  static_cast<int>(i)};
     }
-    std::sort(pairs.begin(), pairs.end(), before);
-    return pairs;
+    std::sort(spans.begin(), spans.end(), [](Span const& a, Span const& b) {
+        if (a.band != b.band) return a.band < b.band;
+        return a.left != b.left ? a.left < b.left : a.ball < b.ball;
+    });
+    return spans;
+}
+
+bool may_meet(Span const& a, Span const& b) {
+    Vec2 const d = b.centre - a.centre;
+    return geometry::dot(d, d) <= (a.rim + b.rim) * (a.rim + b.rim);
+}
+
+// In order of the first ball, then of the second.
+std::vector<Neighbours> in_order(std::vector<Neighbours> const& pairs, std::size_t balls) {
+    std::vector<int> end(balls, 0);
+    for (Neighbours const& pair : pairs) ++end[pair.first];
+    for (std::size_t i = 1; i < balls; ++i) end[i] += end[i - 1];
+    std::vector<Neighbours> ordered(pairs.size());
+    for (std::size_t k = pairs.size(); k-- > 0;) ordered[--end[pairs[k].first]] = pairs[k];
+    for (std::size_t i = 0; i < balls; ++i) {
+        auto const last = i + 1 < balls ? ordered.begin() + end[i + 1] : ordered.end();
+        std::sort(ordered.begin() + end[i], last, before);
+    }
+    return ordered;
+}
+
+std::vector<Neighbours> near_pairs(Stage const& stage) {
+    double height = 0;
+    for (Box const& box : stage.reaches) height = std::max(height, box.high.y() - box.low.y());
+    std::vector<Span> const spans = spans_of(stage, height);
+    std::vector<Neighbours> pairs;
+    auto const add = [&](Span const& a, Span const& b) {
+        if (may_meet(a, b)) pairs.push_back({std::min(a.ball, b.ball), std::max(a.ball, b.ball), false, {}, {}});
+    };
+    auto above = spans.begin();
+    for (auto a = spans.begin(); a != spans.end(); ++a) {
+        for (auto b = a + 1; b != spans.end() && b->band == a->band && b->left <= a->right; ++b) add(*a, *b);
+        while (above != spans.end() &&
+               (above->band <= a->band || (above->band == a->band + 1 && above->left + height < a->left)))
+            ++above;
+        for (auto b = above; b != spans.end() && b->band == a->band + 1 && b->left <= a->right; ++b) add(*a, *b);
+    }
+    return in_order(pairs, stage.reaches.size());
+}
+
+void look_for_neighbours(Stage& stage, double time) {
+    stage.reaches.resize(stage.travellers.size());
+    for (Traveller const& traveller : stage.travellers) stage.reaches[traveller.index] = reach_of(traveller, time);
+    std::vector<Neighbours> pairs = near_pairs(stage);
+    auto old = stage.neighbours.begin();
+    for (Neighbours& pair : pairs) {
+        while (old != stage.neighbours.end() && before(*old, pair)) ++old;
+        if (old != stage.neighbours.end() && old->first == pair.first && old->second == pair.second) pair = *old;
+    }
+    stage.neighbours = std::move(pairs);
+    stage.regroup = stage.relist = true;
 }
 
 }  // namespace
 
-void recall_touches(Stage& stage, std::vector<Touch> const& touches) {
-    for (Touch const& touch : touches)
-        if (touch.other >= 0)
-            stage.encounters.push_back({touch.ball, touch.other, true, {touch.normal_impulse, touch.tangent_impulse}});
-        else
-            stage.ground.push_back(touch);
+void mark_alone(Stage& stage) {
+    stage.alone.assign(stage.travellers.size(), 1);
+    for (Neighbours const& pair : stage.neighbours) stage.alone[pair.first] = stage.alone[pair.second] = 0;
 }
 
-std::vector<Touch> touches_of(Stage const& stage) {
-    std::vector<Touch> touches = stage.ground;
-    for (Encounter const& e : stage.encounters)
-        if (e.leaning) touches.push_back({e.first, e.second, {}, e.impulse.normal, e.impulse.tangent});
-    return touches;
-}
-
-namespace {
-
-bool all_covered(Stage const& stage, double time) {
-    bool covered = stage.known.size() == stage.travellers.size();
-    for (std::size_t i = 0; covered && i < stage.travellers.size(); ++i)
-        covered = covers(stage.known[i], stage.travellers[i], time);
-    return covered;
-}
-
-void look_for_pairs(Stage& stage, double time) {
-    auto const count = stage.travellers.size();
-    stage.known.resize(count);
-    for (std::size_t i = 0; i < count; ++i) stage.known[i] = reach_of(stage.travellers[i], time);
-    sort_from_left(stage);
-    std::vector<Encounter> pairs = overlapping_pairs(stage);
-    auto old = stage.encounters.begin();
-    for (Encounter& pair : pairs) {
-        while (old != stage.encounters.end() && before(*old, pair)) ++old;
-        if (old != stage.encounters.end() && old->first == pair.first && old->second == pair.second) pair = *old;
-    }
-    stage.encounters = std::move(pairs);
-}
-
-}  // namespace
-
-void find_encounters(Stage& stage, double step) {
-    stage.alone.resize(stage.travellers.size(), 1);
-    if (stage.travellers.size() < 2 || (!stage.looked_anew && all_covered(stage, step))) return;
-    look_for_pairs(stage, step);
+void find_neighbours(Stage& stage, double step) {
+    if (stage.travellers.size() < 2 || (!stage.looked_anew && knows_all(stage) && all_covered(stage, step))) return;
+    look_for_neighbours(stage, step);
     stage.looked_anew = false;
-    std::fill(stage.alone.begin(), stage.alone.end(), char{1});
-    for (Encounter const& e : stage.encounters) stage.alone[e.first] = stage.alone[e.second] = 0;
+    mark_alone(stage);
 }
 
-void find_more_encounters(Stage& stage, double rest) {
-    if (all_covered(stage, rest)) return;
-    look_for_pairs(stage, rest);
+void find_more_neighbours(Stage& stage) {
+    bool const covered = std::all_of(stage.awake.begin(), stage.awake.end(),
+                                     [&](int i) { return covers(stage.reaches[i], stage.travellers[i], 0); });
+    if (covered) return;
+    look_for_neighbours(stage, 0);
     stage.looked_anew = true;
-    std::erase_if(stage.encounters, [&](Encounter const& e) { return stage.alone[e.first] || stage.alone[e.second]; });
+    std::erase_if(stage.neighbours,
+                  [&](Neighbours const& pair) { return stage.alone[pair.first] || stage.alone[pair.second]; });
 }
 
-void wake_neighbours(Stage& stage) {
-    for (bool woken = true; woken;) {
-        woken = false;
-        for (Encounter const& e : stage.encounters) {
-            if (!e.leaning || stage.asleep[e.first] == stage.asleep[e.second]) continue;
-            stage.asleep[e.first] = stage.asleep[e.second] = 0;
-            woken = true;
-        }
+std::vector<Touch> all_touches(Pile const& pile) {
+    std::vector<Touch> all;
+    std::merge(pile.touches.begin(), pile.touches.end(), pile.left.begin(), pile.left.end(), std::back_inserter(all),
+               [](Touch const& a, Touch const& b) { return a.ball < b.ball; });
+    return all;
+}
+
+void group(Stage& stage) {
+    if (!stage.regroup) return;
+    stage.regroup = stage.relist = false;
+    std::size_t const count = stage.travellers.size();
+    stage.leaning.assign(count, 0);
+    stage.live.clear();
+    stage.pile.pairs.clear();
+    for (std::size_t k = 0; k < stage.neighbours.size(); ++k) {
+        Neighbours const& pair = stage.neighbours[k];
+        bool const live = !stage.asleep[pair.first] || !stage.asleep[pair.second];
+        if (live) stage.live.push_back(static_cast<int>(k));
+        if (!pair.leaning) continue;
+        stage.leaning[pair.first] = stage.leaning[pair.second] = 1;
+        if (live) stage.pile.pairs.push_back(static_cast<int>(k));
     }
+    stage.awake.clear();
+    stage.pile.balls.clear();
+    stage.departures.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (stage.asleep[i]) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
+        if (stage.asleep[i] || stage.alone[i]) continue;
+        stage.awake.push_back(static_cast<int>(i));
+        if (stage.leaning[i]) stage.pile.balls.push_back(static_cast<int>(i));
+    }
+    std::vector<Touch> const touches = all_touches(stage.pile);
+    stage.pile.touches.clear();
+    stage.pile.left.clear();
+    for (Touch const& touch : touches)
+        if (stage.leaning[touch.ball])
+            (stage.asleep[touch.ball] ? stage.pile.left : stage.pile.touches).push_back(touch);
+    gather_pile(stage);
 }
 
 void remember_departures(Stage& stage) {
-    if (stage.encounters.empty()) return;
-    stage.departures.resize(stage.travellers.size());
-    for (std::size_t i = 0; i < stage.travellers.size(); ++i)
-        stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
-}
-
-bool mark_leaning(Stage& stage) {
-    std::fill(stage.leaning.begin(), stage.leaning.end(), char{0});
-    bool any = false;
-    for (Encounter const& e : stage.encounters) {
-        if (!e.leaning) continue;
-        stage.leaning[e.first] = stage.leaning[e.second] = 1;
-        any = any || !stage.asleep[e.first] || !stage.asleep[e.second];
-    }
-    return any;
+    for (int const i : stage.awake) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
 }
 
 }  // namespace physics

@@ -3,232 +3,172 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/elementary.h"
-
 namespace physics {
 
-using geometry::dot;
 using geometry::length;
 
 namespace {
 
-constexpr double stiffest = 30;         // Hz, of a contact between balls
-constexpr double damping = 10;          // of critical: overlaps are pushed out without a bounce
-constexpr double push_out = 8;          // radii a second at which an overlap is pushed out at most
+constexpr double firm = 60;             // Hz, of a contact between balls, as far as the substeps carry it
 constexpr double near_ground = 0.02;    // share of the radius: nearer ground is watched beforehand
 constexpr double standing = 1e-4;       // m/s: leaning balls slower than this are at rest
 constexpr double longest_stride = 0.2;  // share of the radius: faster balls are swept through the terrain
 
-// How soft a constraint is over a substep (E. Catto, Solver2D).
-struct Softness {
-    double bias_rate = 0;
-    double mass_scale = 1;
-    double impulse_scale = 0;
-};
-Softness softness_of(double frequency, double substep) {
-    double const omega = 2 * geometry::pi * frequency;
-    double const a1 = 2 * damping + substep * omega;
-    double const a2 = substep * omega * a1;
-    return {omega / a1, a2 / (1 + a2), 1 / (1 + a2)};
+Body body_of(Traveller const& traveller) {
+    Ball const& ball = *traveller.ball;
+    Body body;
+    body.position = traveller.state.position;
+    body.radius = ball.radius;
+    body.yield = 1 / ball.mass;
+    body.turn = body.yield / ball.inertia;
+    return body;
 }
 
-struct Constraint {
-    Traveller* first = nullptr;   // null: terrain
-    Traveller* second = nullptr;  // the normal points to it
-    Vec2 normal = Vec2::Zero();
-    double gap = 0;  // m
-    double friction = 0;
-    double normal_mass = 0;   // kg
-    double tangent_mass = 0;  // kg
-    double first_yield = 0;   // 1/kg, 0 for terrain and for balls left standing
-    double second_yield = 0;
-    double most_push = 0;  // m/s
-    Softness softness;
-    Impulse impulse;        // N s
-    double resistance = 0;  // rolling, on terrain
-    double* keep_normal = nullptr;
-};
-
-void push(Constraint const& c, double normal, double tangent) {
-    Vec2 const impulse = normal * c.normal + tangent * geometry::turned_right(c.normal);
-    c.second->state.velocity += c.second_yield * impulse;
-    c.second->state.spin += tangent * c.second_yield / (c.second->ball->inertia * c.second->ball->radius);
-    if (c.first == nullptr) return;
-    c.first->state.velocity -= c.first_yield * impulse;
-    c.first->state.spin += tangent * c.first_yield / (c.first->ball->inertia * c.first->ball->radius);
-}
-
-Vec2 relative_velocity(Constraint const& c) {
-    return c.first == nullptr ? c.second->state.velocity : Vec2(c.second->state.velocity - c.first->state.velocity);
-}
-
-double slip_of(Constraint const& c) {
-    double slip =
-        dot(relative_velocity(c), geometry::turned_right(c.normal)) + c.second->ball->radius * c.second->state.spin;
-    if (c.first != nullptr) slip += c.first->ball->radius * c.first->state.spin;
-    return slip;
-}
-
-void complete(Constraint& c) {
-    double const k2 = c.second->ball->inertia;
-    double const k1 = c.first != nullptr ? c.first->ball->inertia : 1;
-    c.normal_mass = 1 / (c.first_yield + c.second_yield);
-    c.tangent_mass = 1 / (c.first_yield * (1 + 1 / k1) + c.second_yield * (1 + 1 / k2));
-}
-
-// What the solver does in one go over all constraints: with softness it also pushes out, without it only stops.
-enum class Pass { soft, hard };
-
-void solve(Constraint& c, Pass pass, double substep) {
-    double const closing = dot(relative_velocity(c), c.normal);
-    double bias = 0, mass_scale = 1, impulse_scale = 0;
-    if (c.gap > 0) {
-        bias = c.gap / substep;
-    } else if (pass == Pass::soft) {
-        bias = std::max(c.softness.bias_rate * c.gap, -c.most_push);
-        mass_scale = c.softness.mass_scale;
-        impulse_scale = c.softness.impulse_scale;
-    }
-    double const wanted = -c.normal_mass * mass_scale * (closing + bias) - impulse_scale * c.impulse.normal;
-    double const normal = std::max(0.0, c.impulse.normal + wanted);
-    push(c, normal - c.impulse.normal, 0);
-    c.impulse.normal = normal;
-    double const most = normal > 0 ? c.friction * normal : 0;
-    double const tangent = std::clamp(c.impulse.tangent - c.tangent_mass * slip_of(c), -most, most);
-    push(c, 0, tangent - c.impulse.tangent);
-    c.impulse.tangent = tangent;
-}
-
-double yield_of(Stage const& stage, int ball) { return stage.asleep[ball] ? 0 : 1 / stage.travellers[ball].ball->mass; }
-
-void add_pairs(Stage& stage, Softness const& softness, std::vector<Constraint>& constraints) {
-    for (Encounter& e : stage.encounters) {
-        if (!e.leaning || (stage.asleep[e.first] && stage.asleep[e.second])) continue;
-        Traveller& a = stage.travellers[e.first];
-        Traveller& b = stage.travellers[e.second];
-        Vec2 const d = b.state.position - a.state.position;
-        double const distance = length(d);
-        Constraint c;
-        c.first = &a;
-        c.second = &b;
-        c.normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
-        c.gap = distance - a.ball->radius - b.ball->radius;
-        c.friction = friction_between(*a.ball, *b.ball);
-        c.first_yield = yield_of(stage, e.first);
-        c.second_yield = yield_of(stage, e.second);
-        c.most_push = push_out * std::min(a.ball->radius, b.ball->radius);
-        c.softness = softness;
-        c.impulse = e.impulse;
-        complete(c);
-        constraints.push_back(c);
+// Bodies as the substep finds them, pulled on by what acts on them.
+void set_out(Stage& stage, double h) {
+    for (int const i : stage.pile.balls) {
+        Traveller const& traveller = stage.travellers[i];
+        Body& body = stage.pile.bodies[i + 1];
+        State const& state = traveller.state;
+        body.position = state.position;
+        body.velocity = flight_in(traveller.field, state.position, state.velocity, h).velocity;
+        body.rim = body.radius * state.spin;
     }
 }
 
-Impulse remembered(std::vector<Touch> const& ground, int ball, Contact contact) {
-    auto const first =
-        std::lower_bound(ground.begin(), ground.end(), ball, [](Touch const& touch, int b) { return touch.ball < b; });
-    for (auto touch = first; touch != ground.end() && touch->ball == ball; ++touch)
-        if (touch->contact == contact) return {touch->normal_impulse, touch->tangent_impulse};
-    return {};
-}
-
-void add_ground(Stage& stage, Traveller& traveller, Softness const& softness, double substep,
-                std::vector<Constraint>& constraints, std::vector<Touch>& touched) {
-    Terrain const& terrain = stage.scene.terrain;
-    double const radius = traveller.ball->radius;
-    double const watch = near_ground * radius + substep * length(traveller.state.velocity);
-    Vec2 const to = traveller.state.position + substep * traveller.state.velocity;
-    for (Shape const& shape : shapes_on_the_way(terrain, traveller, to)) {
-        Sight const sight = sight_of(terrain, shape, traveller.state.position);
-        double const gap = sight.distance - radius;
-        if (!sight.faces || gap > watch) continue;
-        Constraint c;
-        c.second = &traveller;
-        c.normal = sight.normal;
-        c.gap = gap;
-        c.friction = shape.material->friction;
-        c.resistance = shape.material->rolling_resistance;
-        c.second_yield = 1 / traveller.ball->mass;
-        c.most_push = push_out * radius;
-        c.softness = softness;
-        c.impulse = remembered(stage.ground, traveller.index, {shape.feature, sight.side});
-        complete(c);
-        constraints.push_back(c);
-        touched.push_back({traveller.index, -1, {shape.feature, sight.side}, 0, 0});
+// What each ball touches or is about to touch, with the impulse that it had there in the last substep.
+void look_at_ground(Stage& stage, Softness const& softness, double h) {
+    Pile& pile = stage.pile;
+    std::vector<Touch> const before = std::move(pile.touches);
+    auto known = before.begin();
+    pile.touches.clear();
+    pile.ground.clear();
+    for (int const i : pile.balls) {
+        Traveller& traveller = stage.travellers[i];
+        Body const& body = pile.bodies[i + 1];
+        double const watch = near_ground * body.radius + h * length(body.velocity);
+        while (known != before.end() && known->ball < i) ++known;
+        for (Shape const& shape :
+             shapes_on_the_way(stage.scene.terrain, traveller, body.position + h * body.velocity)) {
+            Sight const sight = sight_of(stage.scene.terrain, shape, body.position);
+            double const gap = sight.distance - body.radius;
+            if (!sight.faces || gap > watch) continue;
+            SoftContact contact = contact_between(pile.bodies[0], body, shape.material->friction);
+            contact.second = i + 1;
+            Touch touch{i, {shape.feature, sight.side}, {}};
+            for (auto old = known; old != before.end() && old->ball == i; ++old)
+                if (old->contact == touch.contact) contact.impulse = old->impulse;
+            place(contact, sight.normal, gap, push_out * body.radius, softness, 1 / h);
+            pile.ground.push_back(contact);
+            pile.touches.push_back(touch);
+        }
     }
 }
 
-void resist_rolling(Constraint const& c) {
-    double const k = c.second->ball->inertia, radius = c.second->ball->radius;
-    double const most = c.resistance * c.impulse.normal / (c.second->ball->mass * k * radius);
-    double& spin = c.second->state.spin;
-    spin = spin < 0 ? std::min(0.0, spin + most) : std::max(0.0, spin - most);
+void look_at_pairs(Pile& pile, Softness const& softness, double h) {
+    double const per_substep = 1 / h;
+    for (SoftContact& c : pile.contacts) place(c, pile.bodies[c.first], pile.bodies[c.second], softness, per_substep);
 }
 
-void move_on(Substep const& substep, Traveller& traveller, Vec2 const& way) {
-    if (length(way) > longest_stride * traveller.ball->radius) {
+void move_on(Stage& stage, Substep const& substep) {
+    double const h = substep.length;
+    for (int const i : stage.pile.balls) {
+        Traveller& traveller = stage.travellers[i];
+        Body& body = stage.pile.bodies[i + 1];
+        Vec2 const way = h * body.velocity;
+        double const stride = longest_stride * body.radius;
+        if (geometry::dot(way, way) <= stride * stride) {
+            body.position += way;
+            traveller.state.angle += h * (body.rim / body.radius);
+            continue;
+        }
         // Not the soft way: through the air, with every line on it met.
+        traveller.state.velocity = body.velocity;
+        traveller.state.spin = body.rim / body.radius;
         traveller.contact = no_contact;
         travel(substep, traveller, 0);
-        return;
+        body.position = traveller.state.position;
+        body.velocity = traveller.state.velocity;
+        body.rim = body.radius * traveller.state.spin;
     }
-    traveller.state.position += way;
-    traveller.state.angle += substep.length * traveller.state.spin;
 }
 
-// Which surface bears each leaning ball, and whether it stands.
-void note_ground(Stage& stage) {
-    for (Traveller& traveller : stage.travellers) {
-        if (!stage.leaning[traveller.index] || stage.asleep[traveller.index]) continue;
+void resist_rolling(Terrain const& terrain, Touch const& touch, SoftContact const& contact, Body& body) {
+    double const resistance = material_of(terrain, touch.contact.feature).rolling_resistance;
+    double const most = resistance * contact.impulse.normal * body.turn;
+    body.rim = body.rim < 0 ? std::min(0.0, body.rim + most) : std::max(0.0, body.rim - most);
+}
+
+// Back from the solver; and whether each ball stands, and which surface bears it.
+void arrive(Stage& stage) {
+    Pile& pile = stage.pile;
+    for (int const i : pile.balls) {
+        Traveller& traveller = stage.travellers[i];
+        Body const& body = pile.bodies[i + 1];
+        traveller.state.position = body.position;
+        traveller.state.velocity = body.velocity;
+        traveller.state.spin = body.rim / body.radius;
         traveller.contact = no_contact;
-        traveller.still = length(traveller.state.velocity) <= standing &&
-                          std::abs(traveller.state.spin) * traveller.ball->radius <= standing;
+        traveller.still = length(body.velocity) <= standing && std::abs(body.rim) <= standing;
     }
     double most = 0;
     int last = -1;
-    for (Touch const& touch : stage.ground) {
+    for (std::size_t k = 0; k < pile.touches.size(); ++k) {
+        Touch& touch = pile.touches[k];
+        touch.impulse = pile.ground[k].impulse;
         if (touch.ball != last) most = 0;
         last = touch.ball;
-        if (touch.normal_impulse <= most) continue;
-        most = touch.normal_impulse;
+        if (touch.impulse.normal <= most) continue;
+        most = touch.impulse.normal;
         stage.travellers[touch.ball].contact = touch.contact;
     }
+    for (std::size_t k = 0; k < pile.pairs.size(); ++k)
+        stage.neighbours[pile.pairs[k]].impulse = pile.contacts[k].impulse;
 }
 
 }  // namespace
 
+void gather_pile(Stage& stage) {
+    Pile& pile = stage.pile;
+    pile.bodies.resize(stage.travellers.size() + 1);
+    for (Traveller const& traveller : stage.travellers) pile.bodies[traveller.index + 1] = body_of(traveller);
+    pile.contacts.resize(pile.pairs.size());
+    for (std::size_t k = 0; k < pile.pairs.size(); ++k) {
+        Neighbours const& pair = stage.neighbours[pile.pairs[k]];
+        Ball const& first = *stage.travellers[pair.first].ball;
+        Ball const& second = *stage.travellers[pair.second].ball;
+        SoftContact& contact = pile.contacts[k];
+        contact =
+            contact_between(pile.bodies[pair.first + 1], pile.bodies[pair.second + 1], friction_between(first, second));
+        contact.first = pair.first + 1;
+        contact.second = pair.second + 1;
+        contact.impulse = pair.impulse;
+    }
+    // What stands does not yield, but its contacts are as soft as before, so that falling asleep moves nothing.
+    for (Traveller const& traveller : stage.travellers)
+        if (stage.asleep[traveller.index])
+            pile.bodies[traveller.index + 1].yield = pile.bodies[traveller.index + 1].turn = 0;
+}
+
 void move_pile(Stage& stage, Substep const& substep) {
+    Pile& pile = stage.pile;
+    if (pile.balls.empty()) return;
     double const h = substep.length;
-    double const frequency = std::min(stiffest, 0.25 / substep.pace);
-    std::vector<Constraint> constraints;
-    std::vector<Touch> ground;
-    Softness const firm = softness_of(2 * frequency, h);
-    for (Traveller& traveller : stage.travellers) {
-        if (!stage.leaning[traveller.index] || stage.asleep[traveller.index]) continue;
-        State& state = traveller.state;
-        state.velocity = flight_in(traveller.field, state.position, state.velocity, h).velocity;
-        add_ground(stage, traveller, firm, h, constraints, ground);
-    }
-    add_pairs(stage, softness_of(frequency, h), constraints);
-    for (Constraint const& c : constraints) push(c, c.impulse.normal, c.impulse.tangent);
-    for (Constraint& c : constraints) solve(c, Pass::soft, h);
-    for (Traveller& traveller : stage.travellers)
-        if (stage.leaning[traveller.index] && !stage.asleep[traveller.index])
-            move_on(substep, traveller, h * traveller.state.velocity);
-    for (Constraint& c : constraints) solve(c, Pass::hard, h);
-    auto touch = ground.begin();
-    for (Constraint const& c : constraints) {
-        if (c.first != nullptr) break;
-        resist_rolling(c);
-        touch->normal_impulse = c.impulse.normal;
-        touch->tangent_impulse = c.impulse.tangent;
-        ++touch;
-    }
-    stage.ground = std::move(ground);
-    auto pair = constraints.begin() + static_cast<std::ptrdiff_t>(stage.ground.size());
-    for (Encounter& e : stage.encounters)
-        if (e.leaning && !(stage.asleep[e.first] && stage.asleep[e.second])) e.impulse = (pair++)->impulse;
-    note_ground(stage);
+    double const rate = 1 / substep.pace;
+    double const frequency = std::min(rate / 4, std::max(firm, rate / 8));
+    set_out(stage, h);
+    look_at_ground(stage, softness_of(2 * frequency, h), h);
+    look_at_pairs(pile, softness_of(frequency, h), h);
+    warm(pile.ground, pile.bodies);
+    warm(pile.contacts, pile.bodies);
+    press(pile.ground, pile.bodies);
+    press(pile.contacts, pile.bodies);
+    move_on(stage, substep);
+    hold(pile.ground, pile.bodies);
+    hold(pile.contacts, pile.bodies);
+    for (std::size_t k = 0; k < pile.ground.size(); ++k)
+        resist_rolling(stage.scene.terrain, pile.touches[k], pile.ground[k], pile.bodies[pile.ground[k].second]);
+    arrive(stage);
 }
 
 }  // namespace physics

@@ -5,8 +5,12 @@
 
 namespace physics {
 
+// Sets up the bodies and contacts of the stage's pile when its pairs and balls are new.
+void gather_pile(Stage& stage);
+
 // Moves all leaning balls through the substep. The steady overlap of a column is the weight above over
-// m_eff (2 pi f)^2, f = min(30 Hz, a quarter of the substep rate), twice that against terrain (physics.md 4).
+// m_eff (2 pi f)^2, twice the frequency against terrain (physics.md 4). f is a quarter of the substep rate up to 60 Hz,
+// an eighth of it where that is more.
 void move_pile(Stage& stage, Substep const& substep);
 
 }  // namespace physics

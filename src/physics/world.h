@@ -25,13 +25,24 @@ struct Forces {
 };
 Vec2 gravity_of(Scene const& scene, Forces const& forces);
 
-// A contact that a stepping method keeps from one step to the next, with the impulses that start the next solution.
-struct Touch {
+// Of a contact: along the normal and along t = (n.y, -n.x).
+struct Impulse {
+    double normal = 0;   // N s per kg against terrain, N s between balls
+    double tangent = 0;  // the same
+};
+
+// What a stepping method keeps from one step to the next. Impulses are those of one substep, in N s: they start the
+// next.
+struct Touch {  // a ball that leans on others, and terrain
     int ball = 0;
-    int other = -1;              // the other ball, or -1
-    Contact contact;             // with terrain, where other is -1
-    double normal_impulse = 0;   // N s, of one substep
-    double tangent_impulse = 0;  // N s
+    Contact contact;
+    Impulse impulse;
+};
+struct Neighbours {  // two balls near each other
+    int first = 0, second = 0;
+    bool leaning = false;  // they keep in touch, by a soft constraint, until they part
+    Impulse impulse;       // while leaning
+    Impulse borne;         // when one of them was last put to sleep
 };
 
 struct World {
@@ -39,10 +50,12 @@ struct World {
     Forces forces;
     std::vector<Leg> legs;  // by ball, the current ones
 
-    double step_origin = 0;        // s, where step 0 began
-    long long steps_taken = 0;     // step n is at step_origin + n / rate
-    std::vector<Touch> touches;    // stepping methods
-    std::vector<int> still_steps;  // by ball, for how many steps it has stood still; apply() clears it
+    double step_origin = 0;              // s, where step 0 began
+    long long steps_taken = 0;           // step n is at step_origin + n / rate
+    std::vector<Touch> touches;          // stepping methods, by ball
+    std::vector<Neighbours> neighbours;  // in order of the balls
+    std::vector<geometry::Box> reaches;  // by ball: while they keep within, there are no other neighbours
+    std::vector<int> still_steps;        // by ball, for how many steps it has stood still; apply() clears it
 
     std::vector<Outlook> outlooks;  // exact method
     double quiet_until = -never;    // s, exact method: no event comes before, as far as is known

@@ -21,9 +21,10 @@ physics::Scene column(std::vector<double> const& masses) {
     return scene_of({line({-50, 0}, {50, 0}, material(0.9))}, balls);
 }
 
-// The overlap with which a soft contact of 30 Hz carries a weight, m (physics.md 4): weight / (m_eff (2 pi f)^2).
+// The overlap with which a soft contact carries a weight, m (physics.md 4): weight / (m_eff (2 pi f)^2), where f is an
+// eighth of the 960 substeps a second.
 double overlap_under(double mass_above, double lower, double upper) {
-    double const omega = 2 * pi * 30, effective = 1 / (1 / lower + 1 / upper);
+    double const omega = 2 * pi * 120, effective = 1 / (1 / lower + 1 / upper);
     return mass_above * g / (effective * omega * omega);
 }
 
@@ -35,7 +36,9 @@ void remove_last(Run& run) {
     run.history.legs.pop_back();
     if (!run.world.outlooks.empty()) run.world.outlooks.pop_back();
     run.world.still_steps.clear();
-    std::erase_if(run.world.touches, [&](physics::Touch const& t) { return t.ball == last || t.other == last; });
+    std::erase_if(run.world.touches, [&](physics::Touch const& t) { return t.ball == last; });
+    std::erase_if(run.world.neighbours, [&](physics::Neighbours const& n) { return n.second == last; });
+    run.world.reaches.clear();
 }
 
 }  // namespace
