@@ -10,7 +10,8 @@ namespace {
 
 Stage stage_of(Scene const& scene, World& world) {
     Stage stage(scene);
-    Field const field = field_on(scene, world.forces, -1);
+    stage.pulled = world.forces.pull ? world.forces.pull->ball : -1;
+    stage.fields = {field_on(scene, world.forces, -1), field_on(scene, world.forces, stage.pulled)};
     int const count = static_cast<int>(scene.balls.size());
     world.still_steps.resize(scene.balls.size(), 0);
     stage.travellers.resize(scene.balls.size());
@@ -18,13 +19,9 @@ Stage stage_of(Scene const& scene, World& world) {
         Traveller& traveller = stage.travellers[i];
         traveller.index = i;
         traveller.ball = &scene.balls[i];
-        traveller.field = field;
+        traveller.field = &stage.fields[i == stage.pulled ? 1 : 0];
         traveller.state = at(world.legs[i], world.time);
         traveller.contact = world.legs[i].contact;
-    }
-    if (world.forces.pull) {
-        stage.pulled = world.forces.pull->ball;
-        stage.travellers[stage.pulled].field = field_on(scene, world.forces, stage.pulled);
     }
     stage.asleep.assign(scene.balls.size(), 0);
     stage.leaning.assign(scene.balls.size(), 0);
@@ -44,8 +41,7 @@ void leave(Stage& stage, World& world) {
 void move_all(Stage& stage, Substep const& substep) {
     group(stage);
     remember_departures(stage);
-    for (int const i : stage.awake)
-        if (!stage.leaning[i]) travel(substep, stage.travellers[i], 0);
+    for (int const i : stage.free) travel(substep, stage.travellers[i], 0);
     move_pile(stage, substep);
     if (!stage.live.empty()) collide(stage, substep);
 }

@@ -74,7 +74,7 @@ void answer_ground(Substep const& substep, Traveller& traveller, double now) {
     if (leaving > unmoving * length(traveller.state.velocity))
         return change_contact(substep, traveller, EventKind::lift, no_contact, now);
     double const e = shape.material->restitution;
-    Vec2 const a = acceleration_in(traveller.field, traveller.state.position, traveller.state.velocity);
+    Vec2 const a = acceleration_in(*traveller.field, traveller.state.position, traveller.state.velocity);
     bool const bounces = -e * leaving > length(a) * substep.pace;
     traveller.state =
         after_impact(traveller.state, *traveller.ball, sight.normal, bounces ? e : 0, shape.material->friction).state;
@@ -99,8 +99,8 @@ void go_on(Stage& stage, Substep const& substep, int ball, double time) {
 double pressing_on(Stage const& stage, Neighbours const& e, Vec2 const& normal) {
     Traveller const& a = stage.travellers[e.first];
     Traveller const& b = stage.travellers[e.second];
-    Vec2 const pull_a = acceleration_in(a.field, a.state.position, a.state.velocity);
-    Vec2 const pull_b = acceleration_in(b.field, b.state.position, b.state.velocity);
+    Vec2 const pull_a = acceleration_in(*a.field, a.state.position, a.state.velocity);
+    Vec2 const pull_b = acceleration_in(*b.field, b.state.position, b.state.velocity);
     bool const held =
         a.contact.feature >= 0 || b.contact.feature >= 0 || stage.leaning[e.first] || stage.leaning[e.second];
     if (held) return std::max(length(pull_a), length(pull_b));
@@ -175,7 +175,7 @@ bool far_apart(Body const& a, Body const& b, Vec2 const& d, double pace, double 
 // Most pairs neither collide nor part: they are told from the rest by the least that need be read.
 Suspects suspects_of(Stage const& stage, Substep const& substep, double soft) {
     Suspects suspects;
-    double const fall = 4 * substep.pace * substep.pace * length(stage.travellers.front().field.gravity);
+    double const fall = 4 * substep.pace * substep.pace * length(stage.travellers.front().field->gravity);
     for (int const k : stage.live) {
         Neighbours const& e = stage.neighbours[k];
         Body const& a = stage.pile.bodies[e.first + 1];
@@ -204,8 +204,9 @@ void part(Stage& stage, std::vector<int> const& pairs) {
     }
 }
 
-void note_bodies(Stage& stage) {
-    for (int const i : stage.awake) {
+// For those that the pile has not moved itself, or not last.
+void note_bodies(Stage& stage, std::vector<int> const& balls) {
+    for (int const i : balls) {
         stage.pile.bodies[i + 1].position = stage.travellers[i].state.position;
         stage.pile.bodies[i + 1].velocity = stage.travellers[i].state.velocity;
     }
@@ -219,6 +220,7 @@ bool any_collides(Stage& stage, Substep const& substep, std::vector<int> const& 
 
 // Those whose way is not what it was.
 std::vector<int> struck_pairs(Stage& stage) {
+    note_bodies(stage, stage.awake);
     find_more_neighbours(stage);
     if (stage.relist) group(stage);
     std::vector<int> struck;
@@ -231,10 +233,10 @@ std::vector<int> struck_pairs(Stage& stage) {
 }  // namespace
 
 void collide(Stage& stage, Substep const& substep) {
-    double const soft = soft_closing * length(stage.travellers.front().field.gravity) * substep.pace;
+    double const soft = soft_closing * length(stage.travellers.front().field->gravity) * substep.pace;
+    note_bodies(stage, stage.free);
     find_more_neighbours(stage);
     if (stage.relist) group(stage);
-    note_bodies(stage);
     Suspects suspects = suspects_of(stage, substep, soft);
     stage.struck.assign(stage.travellers.size(), 0);
     bool const any = any_collides(stage, substep, suspects.colliding, soft);
@@ -242,7 +244,7 @@ void collide(Stage& stage, Substep const& substep) {
         if (!any_collides(stage, substep, struck_pairs(stage), soft)) break;
     if (any) {
         if (stage.relist) group(stage);
-        note_bodies(stage);
+        note_bodies(stage, stage.awake);
         suspects = suspects_of(stage, substep, soft);
     }
     part(stage, suspects.parting);

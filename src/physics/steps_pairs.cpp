@@ -17,16 +17,14 @@ constexpr double ease = 0.1;  // share of the radius by which a reach is wider t
 // Where a ball may be within the next `step` seconds, with some to spare so that the next steps need no new look.
 Box reach_of(Traveller const& traveller, double step) {
     Vec2 const& p = traveller.state.position;
-    Vec2 const a = acceleration_in(traveller.field, p, traveller.state.velocity);
+    Vec2 const a = acceleration_in(*traveller.field, p, traveller.state.velocity);
     double const way = step * (geometry::length(traveller.state.velocity) + step * geometry::length(a));
     double const margin = traveller.ball->radius * (1 + ease) + 2 * way;
     return {p - Vec2::Constant(margin), p + Vec2::Constant(margin)};
 }
 
-bool covers(Box const& reach, Traveller const& traveller, double step) {
-    Vec2 const& p = traveller.state.position;
-    double const x = traveller.ball->radius + step * std::abs(traveller.state.velocity.x());
-    double const y = traveller.ball->radius + step * std::abs(traveller.state.velocity.y());
+bool covers(Box const& reach, double radius, Vec2 const& p, Vec2 const& way) {
+    double const x = radius + std::abs(way.x()), y = radius + std::abs(way.y());
     return p.x() - x >= reach.low.x() && p.x() + x <= reach.high.x() && p.y() - y >= reach.low.y() &&
            p.y() + y <= reach.high.y();
 }
@@ -35,7 +33,9 @@ bool knows_all(Stage const& stage) { return stage.reaches.size() == stage.travel
 
 bool all_covered(Stage const& stage, double time) {
     return std::all_of(stage.travellers.begin(), stage.travellers.end(), [&](Traveller const& traveller) {
-        return stage.asleep[traveller.index] || covers(stage.reaches[traveller.index], traveller, time);
+        State const& state = traveller.state;
+        return stage.asleep[traveller.index] ||
+               covers(stage.reaches[traveller.index], traveller.ball->radius, state.position, time * state.velocity);
     });
 }
 
@@ -135,8 +135,10 @@ void find_neighbours(Stage& stage, double step) {
 }
 
 void find_more_neighbours(Stage& stage) {
-    bool const covered = std::all_of(stage.awake.begin(), stage.awake.end(),
-                                     [&](int i) { return covers(stage.reaches[i], stage.travellers[i], 0); });
+    bool const covered = std::all_of(stage.awake.begin(), stage.awake.end(), [&](int i) {
+        Body const& body = stage.pile.bodies[i + 1];
+        return covers(stage.reaches[i], body.radius, body.position, Vec2::Zero());
+    });
     if (covered) return;
     look_for_neighbours(stage, 0);
     stage.looked_anew = true;
@@ -167,13 +169,14 @@ void group(Stage& stage) {
         if (live) stage.pile.pairs.push_back(static_cast<int>(k));
     }
     stage.awake.clear();
+    stage.free.clear();
     stage.pile.balls.clear();
     stage.departures.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         if (stage.asleep[i]) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
         if (stage.asleep[i] || stage.alone[i]) continue;
         stage.awake.push_back(static_cast<int>(i));
-        if (stage.leaning[i]) stage.pile.balls.push_back(static_cast<int>(i));
+        (stage.leaning[i] ? stage.pile.balls : stage.free).push_back(static_cast<int>(i));
     }
     std::vector<Touch> const touches = all_touches(stage.pile);
     stage.pile.touches.clear();

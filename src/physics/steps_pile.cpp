@@ -18,6 +18,8 @@ Body body_of(Traveller const& traveller) {
     Ball const& ball = *traveller.ball;
     Body body;
     body.position = traveller.state.position;
+    body.velocity = traveller.state.velocity;
+    body.rim = ball.radius * traveller.state.spin;
     body.radius = ball.radius;
     body.yield = 1 / ball.mass;
     body.turn = body.yield / ball.inertia;
@@ -31,7 +33,7 @@ void set_out(Stage& stage, double h) {
         Body& body = stage.pile.bodies[i + 1];
         State const& state = traveller.state;
         body.position = state.position;
-        body.velocity = flight_in(traveller.field, state.position, state.velocity, h).velocity;
+        body.velocity = flight_in(*traveller.field, state.position, state.velocity, h).velocity;
         body.rim = body.radius * state.spin;
     }
 }

@@ -88,7 +88,7 @@ double pressure_at(Place const& place, Pull const& pull, double speed) {
 
 // Forces as they are in the middle of the stretch: of second order, and they neither feed nor drain a swing.
 Drive drive_over(Shape const& shape, Place const& place, Traveller const& traveller, double speed, double time) {
-    Field const& field = traveller.field;
+    Field const& field = *traveller.field;
     Place const middle = place_after(shape, place, 0.5 * speed * time);
     Pull const pull = pull_at(middle, field, speed);
     Drive drive;
@@ -194,11 +194,11 @@ Shape const* shape_under(Substep const& substep, Traveller& traveller) {
 // A constant push along a line has a closed form for any time. On a bend a stretch is as long as its second order is
 // good for: a small turn, and a small part of a swing to and fro. A spring is followed substep by substep.
 double stretch_of(Substep const& substep, Traveller const& traveller, Place const& place, double speed, double left) {
-    bool const pulled = traveller.field.pulled;
+    bool const pulled = traveller.field->pulled;
     if (place.curvature == 0 && !pulled) return left;
     double const bend = std::abs(place.curvature);
     double const turn_rate = bend * std::abs(speed);
-    double const swing_rate = std::sqrt(bend * geometry::length(traveller.field.gravity));
+    double const swing_rate = std::sqrt(bend * geometry::length(traveller.field->gravity));
     double part = left;
     if (part * turn_rate > finest_turn) part = std::max(finest_turn / turn_rate, substep.pace / most_stretches);
     if (part * swing_rate > finest_swing) part = std::max(finest_swing / swing_rate, substep.pace / most_stretches);
@@ -261,7 +261,7 @@ double ride(Substep const& substep, Traveller& traveller, double left) {
     start.speed = dot(traveller.state.velocity, place.tangent);
     start.rim = -traveller.ball->radius * traveller.state.spin;
     double time = stretch_of(substep, traveller, place, start.speed, left);
-    double const pressure = pressure_at(place, pull_at(place, traveller.field, start.speed), start.speed);
+    double const pressure = pressure_at(place, pull_at(place, *traveller.field, start.speed), start.speed);
     if (pressure == 0) {
         traveller.let_go = true;
         change_contact(substep, traveller, EventKind::lift, no_contact, now);

@@ -31,6 +31,7 @@ struct Stage {
     explicit Stage(Scene const& of) : scene(of) {}
 
     Scene const& scene;
+    std::vector<Field> fields;  // that of the balls that are not pulled, then of the one that is
     std::vector<Traveller> travellers;
     std::vector<Neighbours> neighbours;  // in order of the balls
     std::vector<geometry::Box> reaches;  // by ball: while it keeps within, it has no other neighbours
@@ -40,6 +41,7 @@ struct Stage {
     std::vector<char> struck;   // by ball: hit by another in the present pass over the pairs
     std::vector<char> asleep;   // by ball: it has stood still so long that it is left standing
     std::vector<int> awake;     // the others that are not alone, in order
+    std::vector<int> free;      // of these, those that do not lean on others
     std::vector<int> live;      // neighbours of which one is awake
     Pile pile;
     int pulled = -1;           // the ball on the drag spring

@@ -26,7 +26,7 @@ bool within(geometry::Box const& box, Vec2 const& p) {
 // How hard the ball is pressed on the shape if it stays on it, per unit mass; negative where it would come off.
 double pressure_on(Shape const& shape, Sight const& sight, Traveller const& traveller) {
     State const& state = traveller.state;
-    Vec2 const a = acceleration_in(traveller.field, state.position, state.velocity);
+    Vec2 const a = acceleration_in(*traveller.field, state.position, state.velocity);
     double const along = geometry::wedge(state.velocity, sight.normal);
     return -(dot(a, sight.normal) + curvature_at(shape, sight.side, traveller.ball->radius) * along * along);
 }
@@ -43,7 +43,7 @@ bool joined(Terrain const& terrain, Contact contact, Shape const& shape) {
 
 // What the acceleration makes of a ball within a substep: slower than this it does not get away from a corner.
 double slow_speed(Substep const& substep, Traveller const& traveller) {
-    return substep.pace * length(acceleration_in(traveller.field, traveller.state.position, traveller.state.velocity));
+    return substep.pace * length(acceleration_in(*traveller.field, traveller.state.position, traveller.state.velocity));
 }
 
 // Whether a ball that has just met another surface keeps to the one it was on: it leaves it, or closes upon it, so
@@ -69,8 +69,8 @@ void glide_over_joint(Substep const& substep, Traveller& traveller, Shape const&
 }  // namespace
 
 double part_of(Substep const& substep, Traveller const& traveller, double left) {
-    if (!traveller.field.pulled) return left;
-    double const part = swing_part / std::sqrt(traveller.field.spring.stiffness);
+    if (!traveller.field->pulled) return left;
+    double const part = swing_part / std::sqrt(traveller.field->spring.stiffness);
     return std::min({left, substep.pace, std::max(part, substep.pace / most_swings)});
 }
 
@@ -157,13 +157,13 @@ Meeting first_meeting(Substep const& substep, Traveller& traveller, Path const& 
 double fly(Substep const& substep, Traveller& traveller, double left) {
     double const time = part_of(substep, traveller, left);
     State& state = traveller.state;
-    Flight const end = flight_in(traveller.field, state.position, state.velocity, time);
+    Flight const end = flight_in(*traveller.field, state.position, state.velocity, time);
     Meeting const met =
         first_meeting(substep, traveller, path_between(state.position, state.velocity, end.position, time));
     traveller.let_go = traveller.still = false;
     traveller.impulse = {};
     double const used = std::min(met.time, time);
-    Flight const there = met.shape ? flight_in(traveller.field, state.position, state.velocity, used) : end;
+    Flight const there = met.shape ? flight_in(*traveller.field, state.position, state.velocity, used) : end;
     state.position = there.position;
     state.velocity = there.velocity;
     state.angle += used * state.spin;

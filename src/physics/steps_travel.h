@@ -10,7 +10,7 @@ namespace physics {
 struct Traveller {
     int index = 0;
     Ball const* ball = nullptr;
-    Field field;
+    Field const* field = nullptr;
     State state;
     Contact contact;
     Surroundings near;

@@ -55,7 +55,7 @@ void wedge_between(Substep const& substep, Traveller& traveller, Shape const& on
     Ball const& ball = *traveller.ball;
     State const before = state;
     Hold a = hold_on(substep.terrain, one, state.position), b = hold_on(substep.terrain, other, state.position);
-    state.velocity = flight_in(traveller.field, state.position, state.velocity, time).velocity;
+    state.velocity = flight_in(*traveller.field, state.position, state.velocity, time).velocity;
     for (int i = 0; i < most_rounds; ++i) {
         double const change = press(a, state, ball) + press(b, state, ball);
         if (change <= settled * (a.impulse.normal + b.impulse.normal)) break;
