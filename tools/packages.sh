@@ -11,7 +11,7 @@ packages_to_test=(
 )
 packages_to_bench=(
     "${packages_to_play[@]}"
-    libbenchmark-dev libbox2d-dev libchipmunk-dev gnuplot-nox
+    libbenchmark-dev libbox2d-dev libchipmunk-dev gnuplot-nox valgrind
 )
 
 say() { printf '%s\n' "$*" >&2; }
@@ -24,7 +24,7 @@ give_up() {
 commands_to_play=(c++ cmake ninja pkg-config glad ffmpeg)
 modules_to_play=(sdl2 osmesa eigen3 stb CLI11 pugixml nlohmann_json libdeflate)
 commands_to_test=("${commands_to_play[@]}" clang++ python3 Xvfb xdotool convert import)
-commands_to_bench=("${commands_to_play[@]}" gnuplot)
+commands_to_bench=("${commands_to_play[@]}" gnuplot valgrind)
 
 lacks_by_name() {
     local -n commands=commands_to_$1

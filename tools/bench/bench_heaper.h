@@ -1,4 +1,4 @@
-// Heapers: who can pile balls up, with a setting.
+// Piles of equal discs, and heapers: who can pile them up, with a setting.
 #pragma once
 
 #include <memory>
@@ -15,5 +15,14 @@ struct Heaper {
 };
 
 std::vector<Heaper> heapers();
+
+physics::Scene pile_of(int balls);
+
+// A pile of ours that has settled for so many seconds.
+struct Settled {
+    double cost = 0;     // ns per simulated second, kept awake
+    double overlap = 0;  // m, the deepest
+};
+Settled settled(int balls, physics::Steps const& method, double settling);
 
 }  // namespace bench

@@ -16,6 +16,8 @@ constexpr int repeats = 3;
 
 physics::Piece wall(Vec2 const& from, Vec2 const& to) { return {geometry::Segment{from, to}, {}, 0}; }
 
+}  // namespace
+
 // Discs in a bin twice as wide as high, every other row set off so that they do not stand on each other's tops.
 physics::Scene pile_of(int count) {
     int const columns = std::max(2, static_cast<int>(std::sqrt(count * 2.0)));
@@ -32,6 +34,8 @@ physics::Scene pile_of(int count) {
     return scene;
 }
 
+namespace {
+
 double deepest_overlap(std::vector<Vec2> positions) {
     std::sort(positions.begin(), positions.end(), [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
     double deepest = 0;
@@ -41,6 +45,12 @@ double deepest_overlap(std::vector<Vec2> positions) {
             deepest = std::max(deepest, 2 * radius - geometry::length(positions[i] - positions[j]));
     }
     return deepest;
+}
+
+double seconds_of_frames(Pile& pile, int frames) {
+    auto const before = std::chrono::steady_clock::now();
+    for (int frame = 0; frame < frames; ++frame) pile.frame();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
 }
 
 // A pile that is made and settles when it is first needed.
@@ -58,11 +68,7 @@ struct Heap {
         overlap = deepest_overlap(pile->positions());
         return {{"overlap_m", overlap}};
     }
-    double seconds(int runs) {
-        auto const before = std::chrono::steady_clock::now();
-        for (int frame = 0; frame < runs * timed_frames; ++frame) pile->frame();
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-    }
+    double seconds(int runs) { return seconds_of_frames(*pile, runs * timed_frames); }
 };
 
 Timed benchmark_of(std::shared_ptr<Heap> const& heap) {
@@ -98,6 +104,14 @@ std::vector<Heaper> heapers() {
         {"Chipmunk", "40 iterations", [](physics::Scene const& scene) { return chipmunk_pile(scene, 40); }},
 #endif
     };
+}
+
+Settled settled(int balls, physics::Steps const& method, double settling) {
+    auto const pile = our_pile(pile_of(balls), method);
+    for (int i = 0; i < settling * frames_per_second; ++i) pile->frame();
+    double least = physics::never;
+    for (int i = 0; i < repeats; ++i) least = std::min(least, seconds_of_frames(*pile, timed_frames));
+    return {least * 1e9 * frames_per_second / timed_frames, deepest_overlap(pile->positions())};
 }
 
 Part piles_part(std::vector<int> const& counts, double settling) {
