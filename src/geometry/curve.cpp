@@ -1,5 +1,6 @@
 #include "geometry/curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/elementary.h"
@@ -133,6 +134,17 @@ Box box_of(Curve const& curve) {
     return std::visit(Match{[](Segment const& s) { return with(with(Box{}, s.start), s.end); },
                             [](Arc const& a) { return box_around(a); }},
                       curve);
+}
+
+Extent extent_along(Curve const& curve, Vec2 const& direction) {
+    double const start = dot(start_of(curve), direction), end = dot(end_of(curve), direction);
+    Extent extent{std::min(start, end), std::max(start, end)};
+    if (auto const* arc = std::get_if<Arc>(&curve)) {
+        double const middle = dot(arc->centre, direction), angle = arctangent(direction.y(), direction.x());
+        if (spans(*arc, angle)) extent.high = middle + arc->radius;
+        if (spans(*arc, angle + pi)) extent.low = middle - arc->radius;
+    }
+    return extent;
 }
 
 Box united(Box const& a, Box const& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }

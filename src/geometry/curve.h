@@ -49,6 +49,13 @@ struct Box {
 Box box_of(Curve const& curve);
 Box united(Box const& a, Box const& b);
 Box grown(Box const& box, double margin);
+
+// How far a curve reaches along a unit vector.
+struct Extent {
+    double low = 1e300;
+    double high = -1e300;
+};
+Extent extent_along(Curve const& curve, Vec2 const& direction);
 inline bool overlap(Box const& a, Box const& b) {
     return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() && b.low.y() <= a.high.y();
 }

@@ -148,7 +148,19 @@ private:
         int const feature = terrain_.feature_of_vertex(vertex);
         Vertex const& v = terrain_.vertices[vertex];
         if (v.cone_width == 0 || skipped_.has(feature) || !overlap(near, {v.point, v.point})) return;
+        if (is_beside_a_piece(v, near)) return;
         meet_circle(v.point, radius_, 1, {feature, 1}, until, [&](Vec2 const& out) { return exposes(v, out); });
+    }
+
+    // Whether all of the way, and a moment beyond, lies beside one of the vertex's pieces: then the vertex is not
+    // exposed to it.
+    bool is_beside_a_piece(Vertex const& v, Box const& near) const {
+        Vec2 const margin = Vec2::Constant(radius_ + touch_reach);
+        Vec2 const low = near.low + margin - v.point, high = near.high - margin - v.point;
+        return std::any_of(v.spokes.begin(), v.spokes.end(), [&](Spoke const& spoke) {
+            Vec2 const& d = spoke.direction;
+            return dot({d.x() > 0 ? low.x() : high.x(), d.y() > 0 ? low.y() : high.y()}, d) > 8 * touch_reach;
+        });
     }
 
     // sense +1: from outside of the circle that bounds the centre, -1: from inside of it.
@@ -205,7 +217,13 @@ bool gone(Terrain const& terrain, Parabola const& now, double radius) {
     return false;
 }
 
-constexpr double first_window = 4;  // radii of way in the first look; later looks double
+// Radii of way in the first look, and by how much each later one is longer. In flight along a chain of short chords the
+// next one is met soon, and what lies farther ahead need not be seen; on a track there is hardly ever anything to meet,
+// and of few pieces none is in the way of the others.
+constexpr double first_window = 1.0 / 16;
+constexpr double first_window_in_the_open = 4;
+constexpr double window_growth = 8;
+constexpr std::size_t few_pieces = 16;
 
 // The time in which a path covers about `way`.
 double time_for(Parabola const& now, double way) {
@@ -228,17 +246,21 @@ Obstacle first_obstacle(Terrain const& terrain, Parabola const& path, double rad
     Sweep sweep(terrain, path, radius, left, skipped);
     if (terrain.pieces.empty()) return sweep.first;
     double from = 0;
-    double way = first_window * radius;
+    bool const in_the_open = until < never || terrain.pieces.size() <= few_pieces;
+    double way = (in_the_open ? first_window_in_the_open : first_window) * radius;
     while (from < until) {
         Parabola const now = after(path, from);
         if (gone(terrain, now, radius)) break;
         double const to = std::min(until, from + time_for(now, way));
         if (to == never || !(to > from)) break;
         Box const near = grown(box_of_path(path, from, to), radius + touch_reach);
-        terrain.tree.each_overlapping(near, [&](int piece) { sweep.meet_piece(piece, near, to); });
+        // A parabola is nowhere farther from its chord than this.
+        double const sagitta = geometry::length(path.acceleration) * (to - from) * (to - from) / 8;
+        geometry::Stroke const stroke{now.position, after(path, to).position, radius + touch_reach + sagitta, near};
+        terrain.tree.each_near(stroke, [&](int piece) { sweep.meet_piece(piece, near, to); });
         if (sweep.first.time <= to) return sweep.first;
         from = to;
-        way *= 2;
+        way *= window_growth;
     }
     return sweep.first;
 }

@@ -114,6 +114,14 @@ private:
     double turn_;  // the sense in which phi runs
 };
 
+// All that lies within `reach` of a stretch of a circular track: of its chord and, as it bulges, a little more.
+geometry::Stroke stroke_along(Track const& circle, double q, int direction, double way, double reach) {
+    double const turn = way / circle.rho;
+    if (!(turn < pi)) return geometry::stroke_of(circle.origin, circle.origin, circle.rho + reach);
+    double const bulge = circle.rho * (1 - geometry::sine_cosine(turn / 2).cosine);
+    return geometry::stroke_of(position_at(circle, q), position_at(circle, q + direction * way), reach + bulge);
+}
+
 // Sides and normals of what is touched; joints offer the same normal twice.
 void add_support(std::vector<Support>& supports, Contact contact, Vec2 const& normal) {
     for (Support const& s : supports)
@@ -160,16 +168,14 @@ void add_end_support(std::vector<Support>& supports, Terrain const& terrain, int
 Obstacle first_obstacle(Terrain const& terrain, Track const& circle, double q, int direction, double radius,
                         double until, Skipped const& skipped) {
     CircleSweep sweep(terrain, circle, q, direction, radius, until, skipped);
-    Vec2 const reach = Vec2::Constant(circle.rho + radius + touch_reach);
-    terrain.tree.each_overlapping({circle.origin - reach, circle.origin + reach},
-                                  [&](int piece) { sweep.meet_piece(piece); });
+    geometry::Stroke const stroke = stroke_along(circle, q, direction, until, radius + touch_reach);
+    terrain.tree.each_near(stroke, [&](int piece) { sweep.meet_piece(piece); });
     return sweep.found ? sweep.first : Obstacle{};
 }
 
 std::vector<Support> supports_at(Terrain const& terrain, Vec2 const& centre, double radius) {
     std::vector<Support> supports;
-    Vec2 const reach = Vec2::Constant(radius + touch_reach);
-    terrain.tree.each_overlapping({centre - reach, centre + reach}, [&](int piece) {
+    terrain.tree.each_near(geometry::stroke_of(centre, centre, radius + touch_reach), [&](int piece) {
         if (auto const* segment = std::get_if<Segment>(&terrain.pieces[piece].curve))
             add_segment_support(supports, piece, *segment, centre, radius);
         else

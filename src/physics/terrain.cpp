@@ -124,12 +124,12 @@ Terrain terrain_of(std::vector<Piece> pieces) {
     terrain.start_vertex.assign(count, -1);
     terrain.end_vertex.assign(count, -1);
     VertexFinder finder(terrain.vertices);
-    std::vector<geometry::Box> boxes;
-    boxes.reserve(count);
+    std::vector<geometry::Curve> curves;
+    curves.reserve(count);
     for (int i = 0; i < static_cast<int>(count); ++i) {
         geometry::Curve const& curve = terrain.pieces[i].curve;
-        boxes.push_back(geometry::box_of(curve));
-        terrain.bounds = united(terrain.bounds, boxes.back());
+        curves.push_back(curve);
+        terrain.bounds = united(terrain.bounds, geometry::box_of(curve));
         if (is_whole_circle(curve)) continue;
         terrain.start_vertex[i] = finder.at(geometry::start_of(curve));
         terrain.end_vertex[i] = finder.at(geometry::end_of(curve));
@@ -140,7 +140,7 @@ Terrain terrain_of(std::vector<Piece> pieces) {
         sort_spokes(vertex);
         set_cone(vertex);
     }
-    terrain.tree = geometry::BoxTree(boxes);
+    terrain.tree = geometry::BoxTree(std::span<geometry::Curve const>(curves));
     return terrain;
 }
 

@@ -115,3 +115,45 @@ TEST_CASE("a tree of boxes finds what looking at each of them finds, once each")
         }
     }
 }
+
+TEST_CASE("a tree of curves finds all that come within reach of a straight way") {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> metres(-20, 20), size(-3, 3), angle(-pi, pi);
+    std::vector<Curve> curves;
+    for (int i = 0; i < 300; ++i) {
+        Vec2 const place(metres(random), i % 7 == 0 ? 0 : metres(random));
+        if (i % 2 == 0)
+            curves.push_back(Segment{place, place + Vec2(size(random), i % 6 == 0 ? 0 : size(random))});
+        else
+            curves.push_back(Arc{place, 0.1 + std::abs(size(random)), angle(random), 2 * angle(random)});
+    }
+    BoxTree const tree{std::span<Curve const>(curves)};
+    for (int i = 0; i < 300; ++i) {
+        Vec2 const from(metres(random), metres(random)), to = from + (i % 3) * Vec2(size(random), size(random));
+        double const reach = std::abs(size(random));
+        std::vector<bool> found(curves.size(), false);
+        tree.each_near(stroke_of(from, to, reach),
+                       [&found](int index) { found[static_cast<std::size_t>(index)] = true; });
+        for (std::size_t k = 0; k < curves.size(); ++k)
+            for (int step = 0; step <= 50; ++step)
+                if (nearest_point(curves[k], from + (step / 50.0) * (to - from)).distance <= reach) REQUIRE(found[k]);
+    }
+}
+
+TEST_CASE("next to a chain of a thousand chords a disc that touches it is near to a handful") {
+    std::vector<Curve> chords;
+    auto const corner = [](int i) {
+        SineCosine const turn = sine_cosine(2 * pi * i / 1000);
+        return Vec2(4 * turn.cosine, 4 * turn.sine);
+    };
+    for (int i = 0; i < 1000; ++i) chords.push_back(Segment{corner(i), corner(i + 1)});
+    BoxTree const tree{std::span<Curve const>(chords)};
+    for (double const distance : {3.5, 4.5})
+        for (int i = 0; i < 360; ++i) {
+            SineCosine const turn = sine_cosine(i * pi / 180);
+            Vec2 const centre = distance * Vec2(turn.cosine, turn.sine);
+            int near = 0;
+            tree.each_near(stroke_of(centre, centre, 0.5 + 1e-9), [&near](int) { ++near; });
+            REQUIRE(near <= 3);
+        }
+}
