@@ -196,43 +196,4 @@ std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance)
     return arcs;
 }
 
-EllipticArc ellipse_of(PathArc const& path) {
-    SineCosine const turn = sine_cosine(path.rotation);
-    Vec2 const half = turned(0.5 * (path.start - path.end), turn.cosine, -turn.sine);
-    double radius_x = std::abs(path.radii.x());
-    double radius_y = std::abs(path.radii.y());
-    Vec2 const unit{half.x() / radius_x, half.y() / radius_y};  // on the unit circle's scale
-    double const reach = length(unit);
-    if (reach > 1) {
-        radius_x *= reach;
-        radius_y *= reach;
-    }
-    Vec2 const to_start = reach > 1 ? Vec2(unit / reach) : unit;
-    double const scaled = std::min(reach, 1.0);
-    double const offset = scaled > 0 ? std::sqrt(std::max(0.0, (1 - scaled) * (1 + scaled))) / scaled : 0;
-    Vec2 const centre_unit = (path.large == path.positive ? -1 : 1) * offset * turned_right(to_start);
-    Vec2 const from_unit = to_start - centre_unit;
-    Vec2 const end_unit = -to_start - centre_unit;
-    EllipticArc arc;
-    Vec2 const centre_offset{centre_unit.x() * radius_x, centre_unit.y() * radius_y};
-    arc.centre = 0.5 * (path.start + path.end) + turned(centre_offset, turn.cosine, turn.sine);
-    arc.first = radius_x * Vec2(turn.cosine, turn.sine);
-    arc.second = radius_y * Vec2(-turn.sine, turn.cosine);
-    arc.from = arctangent(from_unit.y(), from_unit.x());
-    arc.sweep = arctangent(wedge(from_unit, end_unit), dot(from_unit, end_unit));
-    if (path.positive && arc.sweep < 0) arc.sweep += 2 * pi;
-    if (!path.positive && arc.sweep > 0) arc.sweep -= 2 * pi;
-    return arc;
-}
-
-Curve circle_of(PathArc const& path) {
-    double const radius = std::abs(path.radii.x());
-    if (!(radius > 0)) return Segment{path.start, path.end};
-    PathArc circle = path;
-    circle.radii = Vec2::Constant(radius);
-    circle.rotation = 0;
-    EllipticArc const arc = ellipse_of(circle);
-    return Arc{arc.centre, arc.first.x(), arc.from, arc.sweep};
-}
-
 }  // namespace geometry

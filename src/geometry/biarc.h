@@ -1,4 +1,4 @@
-// Drawn curves as arcs that join with equal tangents: Bezier curves, ellipses and the arcs of an SVG path.
+// Drawn curves as arcs that join with equal tangents: Bezier curves and ellipses.
 #pragma once
 
 #include <vector>
@@ -28,21 +28,5 @@ struct EllipticArc {
 
 // A circle gives one exact arc.
 std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance = drawing_tolerance);
-
-// The arc command of an SVG path. Its sense is that of the coordinates it is given in: "positive" turns x towards y.
-struct PathArc {
-    Vec2 start = Vec2::Zero();
-    Vec2 radii = Vec2::Zero();
-    double rotation = 0;  // rad, of the first axis
-    bool large = false;
-    bool positive = false;
-    Vec2 end = Vec2::Zero();
-};
-
-// Radii too small to reach are scaled up (SVG 1.1, F.6.6). Both radii must not be zero: that is a straight line.
-EllipticArc ellipse_of(PathArc const& path);
-
-// The exact arc of a circle; radii.x() is its radius, rotation is of no account. A zero radius gives a segment.
-Curve circle_of(PathArc const& path);
 
 }  // namespace geometry

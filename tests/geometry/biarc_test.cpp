@@ -130,29 +130,3 @@ TEST_CASE("an ellipse is followed within tolerance, a circle is one exact arc") 
     CHECK(length(start_of(circle[0]) - Vec2(0, 2)) <= 1e-15);
     CHECK(length(end_of(circle[0]) - Vec2(2, 0)) <= 1e-15);
 }
-
-TEST_CASE("the four arcs of an SVG path through two points are told apart by their flags") {
-    struct Case {
-        bool large, positive;
-        double sweep;
-        Vec2 centre;
-    };
-    Case const cases[] = {{false, true, pi_half, {0, 0}},
-                          {true, true, 3 * pi_half, {1, 1}},
-                          {false, false, -pi_half, {1, 1}},
-                          {true, false, -3 * pi_half, {0, 0}}};
-    for (Case const& c : cases) {
-        Arc const arc = std::get<Arc>(circle_of({{1, 0}, {1, 1}, 0, c.large, c.positive, {0, 1}}));
-        CHECK(length(arc.centre - c.centre) <= 1e-15);
-        CHECK(arc.sweep == doctest::Approx(c.sweep).epsilon(1e-14));
-        CHECK(length(start_of(arc) - Vec2(1, 0)) <= 1e-15);
-        CHECK(length(end_of(arc) - Vec2(0, 1)) <= 1e-15);
-    }
-}
-
-TEST_CASE("a radius too small to reach is scaled up to half the chord") {
-    Arc const arc = std::get<Arc>(circle_of({{0, 0}, {1, 1}, 0, false, true, {4, 0}}));
-    CHECK(arc.radius == doctest::Approx(2).epsilon(1e-15));
-    CHECK(length(arc.centre - Vec2(2, 0)) <= 1e-15);
-    CHECK(std::abs(arc.sweep) == doctest::Approx(2 * pi_half).epsilon(1e-15));
-}
