@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_passes = 32;     // over all pairs in one substep
 constexpr double unmoving = 1e-9;   // share of the speeds: slower closing is rounding
-constexpr double soft_closing = 8;  // substeps' worth of gravity: leaning balls that close faster hit each other
+constexpr double soft_closing = 8;  // substeps' worth of what presses: leaning balls that close faster hit each other
 constexpr double parted = 5e-3;     // share of the smaller radius: a gap at which balls no longer lean on each other
 
 // The way of one ball since its last departure, as a chord.
@@ -138,12 +138,19 @@ void hit(Stage& stage, Substep const& substep, Neighbours& e, double time) {
         substep.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
 }
 
-// Leaning balls take closing up to `soft` on each other softly; others meet at once if they close at all.
+// What a leaning pair carries in a substep, as the speed that it would give the lighter of the two, m/s.
+double load_on(Stage const& stage, Neighbours const& e) {
+    double const lighter = std::min(stage.travellers[e.first].ball->mass, stage.travellers[e.second].ball->mass);
+    return e.impulse.normal / lighter;
+}
+
+// Leaning balls take closing up to `soft`, and more under a load, on each other softly; others meet at once if they
+// close at all.
 bool collides(Stage& stage, Substep const& substep, Neighbours& e, double soft) {
     Traveller const& a = stage.travellers[e.first];
     Traveller const& b = stage.travellers[e.second];
     double const rounding = unmoving * (length(a.state.velocity) + length(b.state.velocity));
-    double const least = e.leaning ? rounding + soft : rounding;
+    double const least = e.leaning ? rounding + soft + soft_closing * load_on(stage, e) : rounding;
     if (e.leaning && closing_of(stage, e) <= least) return false;
     double const time = touching_time(stage, e, substep.length, least);
     if (time > substep.length) return false;

@@ -79,6 +79,25 @@ TEST_CASE("T14: a heavy disc on a light one does not press through") {
         }
 }
 
+TEST_CASE("T14: columns of light discs carry a heavy one, each contact by its own law") {
+    for (Bound const& bound : bounds_of(Law::piles))
+        for (int const light : {3, 5, 10})
+            for (double const heavy : {100.0, 400.0}) {
+                CAPTURE(std::string(physics::name_of(bound.method)));
+                CAPTURE(light);
+                CAPTURE(heavy);
+                std::vector<double> masses(static_cast<std::size_t>(light), 1.0);
+                masses.push_back(heavy);
+                Run run(bound.method, column(masses));
+                run.to(8);
+                // The ground is twice as firm in frequency, and does not yield: its effective mass is the disc's.
+                double sunk = overlap_under(heavy + light, 1, INFINITY) / 4 + overlap_under(heavy, 1, heavy);
+                for (int i = 1; i < light; ++i) sunk += overlap_under(heavy + light - i, 1, 1);
+                CHECK(0.5 + light - run.state(light).position.y() == doctest::Approx(sunk).epsilon(bound.tolerance));
+                CHECK(fastest(run) <= 1e-3);
+            }
+}
+
 TEST_CASE("T14: light discs whose load is taken away do not jump") {
     for (Bound const& bound : bounds_of(Law::piles))
         for (std::vector<double> const& masses : {std::vector<double>{1, 100}, {1, 400}, {1, 1, 100}}) {
