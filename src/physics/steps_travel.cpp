@@ -192,7 +192,7 @@ void travel(Substep const& substep, Traveller& traveller, double since) {
     double left = substep.length - since;
     for (int i = 0; i < most_turns && left > 0; ++i)
         left -= traveller.contact.feature < 0 ? fly(substep, traveller, left) : ride(substep, traveller, left);
-    if (left <= 0) return;
+    if (left <= 0) return settle_between(substep, traveller);
     // So many impacts in so short a time are a ball jammed in a gap: it stops where it is.
     traveller.state.velocity = Vec2::Zero();
     traveller.state.spin = 0;

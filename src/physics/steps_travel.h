@@ -57,6 +57,10 @@ void seat(Terrain const& terrain, Shape const& shape, Traveller& traveller);
 // Rests or spins between two surfaces, pressed against both, for `time` seconds.
 void wedge_between(Substep const& substep, Traveller& traveller, Shape const& one, Shape const& other, double time);
 
+// Stops a ball that only rocks between two surfaces that can hold it: it is slower than what acts on it makes it within
+// two substeps, and pressed from rest it stays where it is.
+void settle_between(Substep const& substep, Traveller& traveller);
+
 // Flight, rest, roll or slide, by what the traveller touches and how it moves there.
 Phase phase_of(Traveller const& traveller);
 

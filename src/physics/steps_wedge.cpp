@@ -75,4 +75,63 @@ void wedge_between(Substep const& substep, Traveller& traveller, Shape const& on
                       std::abs(state.spin) * ball.radius <= limit;
 }
 
+namespace {
+
+constexpr double rocking = 4;  // substeps' worth of acceleration: slower than this a ball only rocks
+constexpr int most_seatings =
+    40;                           // on each of two surfaces in turn; halves the gaps even in a V of 90 degrees and more
+constexpr double seated = 1e-12;  // share of the radius
+
+double gap_to(Substep const& substep, Traveller const& traveller, Shape const& shape) {
+    return std::abs(sight_of(substep.terrain, shape, traveller.state.position).distance - traveller.ball->radius);
+}
+
+std::vector<Shape> shapes_within(double gap, Substep const& substep, Traveller const& traveller) {
+    std::vector<Shape> near;
+    for (Shape const& shape : traveller.near.shapes)
+        if (sight_of(substep.terrain, shape, traveller.state.position).faces &&
+            gap_to(substep, traveller, shape) <= gap)
+            near.push_back(shape);
+    return near;
+}
+
+// At rest on both, if they hold it.
+Traveller standing_between(Substep const& substep, Traveller const& traveller, Shape const& one, Shape const& other) {
+    Traveller still = traveller;
+    still.state.velocity = Vec2::Zero();
+    still.state.spin = 0;
+    double const close = seated * traveller.ball->radius;
+    for (int i = 0; i < most_seatings && gap_to(substep, still, one) > close; ++i) {
+        seat(substep.terrain, one, still);
+        seat(substep.terrain, other, still);
+    }
+    Sight const sight = sight_of(substep.terrain, one, still.state.position);
+    still.contact = {one.feature, sight.side};
+    State const there = still.state;
+    wedge_between(substep, still, one, other, substep.pace);
+    still.state = there;
+    return still;
+}
+
+}  // namespace
+
+void settle_between(Substep const& substep, Traveller& traveller) {
+    State const& state = traveller.state;
+    double const pull = geometry::length(acceleration_in(*traveller.field, state.position, Vec2::Zero()));
+    double const slow = rocking * pull * substep.pace;
+    if (traveller.still || geometry::length(state.velocity) > slow ||
+        std::abs(state.spin) * traveller.ball->radius > slow)
+        return;
+    std::vector<Shape> const near = shapes_within(slow * substep.pace, substep, traveller);
+    for (std::size_t i = 1; i < near.size(); ++i) {
+        Vec2 const normal = sight_of(substep.terrain, near[i - 1], state.position).normal;
+        if (std::abs(geometry::wedge(normal, sight_of(substep.terrain, near[i], state.position).normal)) <= joint_turn)
+            continue;
+        Traveller const held = standing_between(substep, traveller, near[i - 1], near[i]);
+        if (!held.still) continue;
+        traveller = held;
+        return;
+    }
+}
+
 }  // namespace physics
