@@ -31,7 +31,7 @@ struct Contest {
 };
 Part contest_part(Contest const& contest);
 
-// Piles of so many discs, settled for `settling` seconds and kept awake: cost of a frame and deepest overlap.
+// Piles of so many discs, settled for `settling` seconds at least and kept awake: cost of a frame and deepest overlap.
 Part piles_part(std::vector<int> const& counts, double settling);
 
 // What each need of a scene adds to its cost.
