@@ -144,13 +144,32 @@ double load_on(Stage const& stage, Neighbours const& e) {
     return e.impulse.normal / lighter;
 }
 
-// Leaning balls take closing up to `soft`, and more under a load, on each other softly; others meet at once if they
-// close at all.
-bool collides(Stage& stage, Substep const& substep, Neighbours& e, double soft) {
+// How fast a leaning pair may close before its balls hit each other: more for what it carries, as far as the heaviest
+// ball outweighs the lightest. Among equals gravity alone counts; deep in a pile they would else pass through each
+// other.
+struct Softly {
+    double fall = 0;      // m/s, of some substeps in free fall
+    double outweigh = 0;  // how many times the heaviest is heavier than the lightest, less one
+};
+
+Softly softly_in(Stage const& stage, Substep const& substep) {
+    auto const [lightest, heaviest] =
+        std::minmax_element(stage.travellers.begin(), stage.travellers.end(),
+                            [](Traveller const& a, Traveller const& b) { return a.ball->mass < b.ball->mass; });
+    return {soft_closing * length(stage.travellers.front().field->gravity) * substep.pace,
+            heaviest->ball->mass / lightest->ball->mass - 1};
+}
+
+double soft_closing_of(Stage const& stage, Neighbours const& e, Softly const& soft) {
+    return soft.fall + std::min(soft_closing * load_on(stage, e), soft.outweigh * soft.fall);
+}
+
+// Leaning balls take some closing on each other softly; others meet at once if they close at all.
+bool collides(Stage& stage, Substep const& substep, Neighbours& e, Softly const& soft) {
     Traveller const& a = stage.travellers[e.first];
     Traveller const& b = stage.travellers[e.second];
     double const rounding = unmoving * (length(a.state.velocity) + length(b.state.velocity));
-    double const least = e.leaning ? rounding + soft + soft_closing * load_on(stage, e) : rounding;
+    double const least = e.leaning ? rounding + soft_closing_of(stage, e, soft) : rounding;
     if (e.leaning && closing_of(stage, e) <= least) return false;
     double const time = touching_time(stage, e, substep.length, least);
     if (time > substep.length) return false;
@@ -180,7 +199,7 @@ bool far_apart(Body const& a, Body const& b, Vec2 const& d, double pace, double 
 }
 
 // Most pairs neither collide nor part: they are told from the rest by the least that need be read.
-Suspects suspects_of(Stage const& stage, Substep const& substep, double soft) {
+Suspects suspects_of(Stage const& stage, Substep const& substep, Softly const& soft) {
     Suspects suspects;
     double const fall = 4 * substep.pace * substep.pace * length(stage.travellers.front().field->gravity);
     for (int const k : stage.live) {
@@ -194,7 +213,7 @@ Suspects suspects_of(Stage const& stage, Substep const& substep, double soft) {
             continue;
         }
         Vec2 const relative = b.velocity - a.velocity;
-        if (dot(relative, relative) > soft * soft) suspects.colliding.push_back(k);
+        if (dot(relative, relative) > soft.fall * soft.fall) suspects.colliding.push_back(k);
         double const reach = a.radius + b.radius + parted * std::min(a.radius, b.radius);
         if (dot(d, d) > reach * reach) suspects.parting.push_back(k);
     }
@@ -219,7 +238,7 @@ void note_bodies(Stage& stage, std::vector<int> const& balls) {
     }
 }
 
-bool any_collides(Stage& stage, Substep const& substep, std::vector<int> const& pairs, double soft) {
+bool any_collides(Stage& stage, Substep const& substep, std::vector<int> const& pairs, Softly const& soft) {
     bool any = false;
     for (int const k : pairs) any = collides(stage, substep, stage.neighbours[k], soft) || any;
     return any;
@@ -240,7 +259,7 @@ std::vector<int> struck_pairs(Stage& stage) {
 }  // namespace
 
 void collide(Stage& stage, Substep const& substep) {
-    double const soft = soft_closing * length(stage.travellers.front().field->gravity) * substep.pace;
+    Softly const soft = softly_in(stage, substep);
     note_bodies(stage, stage.free);
     find_more_neighbours(stage);
     if (stage.relist) group(stage);
