@@ -197,17 +197,22 @@ Member gas(Dice& dice) { return gas_of(dice.count_between(2, 8), dice); }
 
 }  // namespace
 
+Task without_idle_spring(Task task) {
+    if (!task.pull) task.scene.drag.frequency = 0;
+    return task;
+}
+
 Member few_of(int count, unsigned seed) {
     Dice dice(seed);
     Member member = few_of(count, dice);
-    member.task.scene.drag.frequency = 0;
+    member.task = without_idle_spring(member.task);
     return member;
 }
 
 Member gas_of(int side, unsigned seed) {
     Dice dice(seed);
     Member member = gas_of(side, dice);
-    member.task.scene.drag.frequency = 0;
+    member.task = without_idle_spring(member.task);
     return member;
 }
 
@@ -218,8 +223,7 @@ std::vector<Member> population(unsigned seed, int count) {
     std::vector<Member> members;
     for (int i = 0; i < count; ++i) {
         members.push_back(kinds[static_cast<std::size_t>(i) % std::size(kinds)](dice));
-        Task& task = members.back().task;
-        if (!task.pull) task.scene.drag.frequency = 0;  // a spring that nobody pulls at is no part of a scene
+        members.back().task = without_idle_spring(members.back().task);
     }
     return members;
 }

@@ -13,6 +13,9 @@ struct Member {
     std::optional<std::vector<Moment>> truth;  // by frame, where a closed form knows it
 };
 
+// A spring that nobody pulls at is no part of a scene.
+Task without_idle_spring(Task task);
+
 // So many scenes, kind by kind in turn; other seeds give other scenes.
 std::vector<Member> population(unsigned seed, int count);
 
