@@ -11,8 +11,8 @@ set boxwidth 0.92
 set grid noxtics
 set xtics scale 0 nomirror
 set logscale y
-set yrange [0.5:500]
-set ytics ("1 µs" 1, "10 µs" 10, "100 µs" 100)
+set yrange [0.1:500]
+set ytics ("0.1 µs" 0.1, "1 µs" 1, "10 µs" 10, "100 µs" 100)
 set key top left samplen 2 spacing 1.3 Left reverse
 said(c) = column(c) < 1e4 ? sprintf("%.1f", column(c) / 1e3) : sprintf("%.0f", column(c) / 1e3)
 plot needs using ($2 / 1e3):xtic(1) ls 1 title "exact", needs using ($3 / 1e3) ls 3 title "steps, 240 Hz", \

@@ -12,7 +12,8 @@ cost(what, method) = is(what, method) && $3 > 0 ? $4 / 1e3 : NaN
 # Where the exact method and another cost the same: a ring, with the count beside it.
 plots(what) = sprintf("plot for [m in compared] numbers using 3:(cost('%s', m)) with linespoints ls style_of(m), \
     crossings using (strcol(1) eq '%s' ? $3 : NaN):($4 / 1e3) with points pt 6 ps 3 lw 2 lc rgb '#333333', \
-    crossings using (strcol(1) eq '%s' ? $3 : NaN):($4 / 1e3):(sprintf('%%.0f', $3)) with labels left offset 1.3,-0.9 tc rgb '#333333'", what, what, what)
+    crossings using (strcol(1) eq '%s' && strcol(2) ne 'steps' ? $3 : NaN):($4 / 1e3):(sprintf('%%.0f', $3)) with labels left offset 1.3,-0.9 tc rgb '#333333', \
+    crossings using (strcol(1) eq '%s' && strcol(2) eq 'steps' ? $3 : NaN):($4 / 1e3):(sprintf('%%.0f', $3)) with labels right offset -1.3,0.9 tc rgb '#333333'", what, what, what, what)
 
 set title "balls that fly about in a box, without gravity" font font.",13" offset 0,-0.5
 set xlabel "balls" offset 0,0.3
