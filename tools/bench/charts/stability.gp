@@ -72,9 +72,11 @@ percent(c) = column(c) < 0.01 ? sprintf("%.1f", 100 * column(c)) : sprintf("%.0f
 column_of(height) = place(sprintf("%d", int(height)), heights) - 1
 row_of(ratio) = place(sprintf("%d", int(ratio)), ratios) - 1
 fell(c) = column(c) > 1
-# Weight above of so many balls: a unit pair at 30 Hz gives way by 2 g / (2 pi 30)^2 for each (steps alone).
-carried(overlap) = overlap * (2 * pi * 30)**2 / (2 * 9.81)
-law(overlap, height) = carried(overlap) - height + 1 >= 1 ? 3 * log10(carried(overlap) - height + 1) : NaN
+# Weight above of so many balls: a unit pair at f Hz gives way by 2 g / (2 pi f)^2 for each (steps alone, whose f is 60
+# at 60 steps a second and 120 at 240).
+carried(overlap, f) = overlap * (2 * pi * f)**2 / (2 * 9.81)
+row_at(weight) = weight >= 1 && weight <= 400 ? 3 * log10(weight) : NaN
+law(overlap, height, i) = row_at(carried(overlap, i == 0 ? 60 : 120) - height + 1)
 set samples 11
 do for [i = 0:5] {
     set xlabel i % 2 == 1 ? "balls in the column" : "" offset 0,0.3
@@ -88,8 +90,8 @@ do for [i = 0:5] {
             with boxxyerror fs solid 1 noborder lc rgb "#2b2b2b" notitle, \
         stacks index i using (fell(5) || $5 > 0.25 ? NaN : column_of($3)):(row_of($4)):(percent(5)) with labels font font.",8" tc rgb "#1a1a1a" notitle, \
         stacks index i using ($5 > 0.25 ? column_of($3) : NaN):(row_of($4)):(fell(5) ? "fell" : percent(5)) with labels font font.",8" tc rgb "#ffffff" notitle, \
-        [0:10] "+" using (i < 2 ? $1 : NaN):(law(0.01, real(word(heights, int($1 + 1.5))))) with lines lw 2 dt 2 lc rgb "#1e66c8" notitle, \
-        [0:10] "+" using (i < 2 ? $1 : NaN):(law(0.1, real(word(heights, int($1 + 1.5))))) with lines lw 2 dt 2 lc rgb "#1e66c8" notitle
+        [0:10] "+" using (i < 2 ? $1 : NaN):(law(0.001, real(word(heights, int($1 + 1.5))), i)) with lines lw 2 dt 2 lc rgb "#1e66c8" notitle, \
+        [0:10] "+" using (i < 2 ? $1 : NaN):(law(0.01, real(word(heights, int($1 + 1.5))), i)) with lines lw 2 dt 2 lc rgb "#1e66c8" notitle
 }
 unset multiplot
 unset output
