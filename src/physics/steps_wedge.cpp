@@ -77,10 +77,9 @@ void wedge_between(Substep const& substep, Traveller& traveller, Shape const& on
 
 namespace {
 
-constexpr double rocking = 4;  // substeps' worth of acceleration: slower than this a ball only rocks
-constexpr int most_seatings =
-    40;                           // on each of two surfaces in turn; halves the gaps even in a V of 90 degrees and more
-constexpr double seated = 1e-12;  // share of the radius
+constexpr double rocking = 4;      // substeps' worth of acceleration: slower than this a ball only rocks
+constexpr int most_seatings = 40;  // on both in turn: each leaves cos^2 of the angle between their normals of a gap
+constexpr double seated = 1e-12;   // share of the radius
 
 double gap_to(Substep const& substep, Traveller const& traveller, Shape const& shape) {
     return std::abs(sight_of(substep.terrain, shape, traveller.state.position).distance - traveller.ball->radius);
