@@ -10,9 +10,10 @@ namespace physics {
 
 namespace {
 
-constexpr double frames = 60;                        // 1/s, how often costs ask
-constexpr double slowest_rate = 60, doublings = 10;  // steps/s: 60, 120, ... 61440 are what is advised
-constexpr double reach = 4;                          // m, how far the drag spring is drawn out unless a level says
+constexpr double frames = 60;              // 1/s, how often costs ask
+constexpr double slowest_rate = 60;        // steps/s, of what is advised
+constexpr int doublings = 10;              // of that rate: up to 61440 steps/s
+constexpr double reach = 4;                // m, how far the drag spring is drawn out unless a level says
 constexpr double promise = 0.5;            // of the tolerance: what is foretold is foretold for 19 scenes of 20
 constexpr std::size_t fewest_leaning = 3;  // two balls are held by closed forms
 constexpr double usual_gravity = 9.81;     // m/s^2, under which piles were measured
@@ -135,7 +136,7 @@ std::vector<Forecast> forecasts_for(Scene const& scene, Experience const& experi
 
 Choice advice_for(Scene const& scene, double tolerance, Experience const& experience) {
     std::vector<Forecast> all = forecasts_for(scene, experience);
-    std::sort(all.begin(), all.end(), [](Forecast const& a, Forecast const& b) { return a.cost < b.cost; });
+    std::stable_sort(all.begin(), all.end(), [](Forecast const& a, Forecast const& b) { return a.cost < b.cost; });
     auto const keeps = [&](Forecast const& one) { return one.error <= promise * tolerance; };
     auto const chosen = std::find_if(all.begin(), all.end(), keeps);
     if (chosen == all.end()) {

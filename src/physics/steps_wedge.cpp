@@ -70,9 +70,8 @@ void wedge_between(Substep const& substep, Traveller& traveller, Shape const& on
         Sight const sight = sight_of(substep.terrain, other, state.position);
         traveller.contact = {other.feature, sight.side};
     }
-    double const limit = standing;
-    traveller.still = geometry::length(before.velocity) <= limit && geometry::length(state.velocity) <= limit &&
-                      std::abs(state.spin) * ball.radius <= limit;
+    traveller.still = geometry::length(before.velocity) <= standing && geometry::length(state.velocity) <= standing &&
+                      std::abs(state.spin) * ball.radius <= standing;
 }
 
 namespace {
@@ -81,16 +80,16 @@ constexpr double rocking = 4;      // substeps' worth of acceleration: slower th
 constexpr int most_seatings = 40;  // on both in turn: each leaves cos^2 of the angle between their normals of a gap
 constexpr double seated = 1e-12;   // share of the radius
 
-double gap_to(Substep const& substep, Traveller const& traveller, Shape const& shape) {
-    return std::abs(sight_of(substep.terrain, shape, traveller.state.position).distance - traveller.ball->radius);
+double gap_in(Sight const& sight, Traveller const& traveller) {
+    return std::abs(sight.distance - traveller.ball->radius);
 }
 
 std::vector<Shape> shapes_within(double gap, Substep const& substep, Traveller const& traveller) {
     std::vector<Shape> near;
-    for (Shape const& shape : traveller.near.shapes)
-        if (sight_of(substep.terrain, shape, traveller.state.position).faces &&
-            gap_to(substep, traveller, shape) <= gap)
-            near.push_back(shape);
+    for (Shape const& shape : traveller.near.shapes) {
+        Sight const sight = sight_of(substep.terrain, shape, traveller.state.position);
+        if (sight.faces && gap_in(sight, traveller) <= gap) near.push_back(shape);
+    }
     return near;
 }
 
@@ -100,11 +99,12 @@ Traveller standing_between(Substep const& substep, Traveller const& traveller, S
     still.state.velocity = Vec2::Zero();
     still.state.spin = 0;
     double const close = seated * traveller.ball->radius;
-    for (int i = 0; i < most_seatings && gap_to(substep, still, one) > close; ++i) {
+    Sight sight = sight_of(substep.terrain, one, still.state.position);
+    for (int i = 0; i < most_seatings && gap_in(sight, still) > close; ++i) {
         seat(substep.terrain, one, still);
         seat(substep.terrain, other, still);
+        sight = sight_of(substep.terrain, one, still.state.position);
     }
-    Sight const sight = sight_of(substep.terrain, one, still.state.position);
     still.contact = {one.feature, sight.side};
     State const there = still.state;
     wedge_between(substep, still, one, other, substep.pace);

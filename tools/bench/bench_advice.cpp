@@ -115,7 +115,7 @@ void learn_errors(Lessons const& lessons, Experience& seen) {
 
 std::vector<PileExperience> learnt_piles() {
     std::vector<PileExperience> all;
-    for (double const rate : {60.0, 240.0})
+    for (double const rate : pile_rates)
         for (int const balls : {10, 100, 1000}) {
             Settled const pile = settled(balls, {rate, 4}, settling);
             double const radius = pile_of(balls).balls[0].radius;

@@ -8,7 +8,8 @@
 
 namespace bench {
 
-inline constexpr double settling = 6;  // s, of the piles below
+inline constexpr double settling = 6;              // s, of the piles that are learnt from and judged
+inline constexpr double pile_rates[] = {60, 240};  // steps/s, at which
 
 // Fitted to the scenes of the folder `lab`, to those with arcs in pieces, to gases and to piles.
 physics::Experience experience_from(std::string const& lab, Effort const& effort);

@@ -34,6 +34,9 @@ std::vector<Contestant> our_methods(std::vector<double> const& rates);
 std::vector<Contestant> peers(std::vector<double> const& rates);
 std::vector<Contestant> peers_on_finer_pieces(std::vector<double> const& rates);
 
+// steps/s: of the steps that say how far an answer without a closed form can be trusted.
+inline constexpr double finest_rate = 7680;
+
 physics::Method method_of(Contestant const& contestant);
 
 // Of an arc, for engines that know none.

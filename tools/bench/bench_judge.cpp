@@ -16,6 +16,8 @@ namespace {
 using physics::Experience;
 using physics::Forecast;
 
+constexpr Effort hasty{1, 5, 2e4};      // many scenes are timed, and ratios of a few per cent are no matter
+constexpr double highest_tried = 4000;  // steps/s: dearer than any that could be the cheapest
 constexpr double tolerances[] = {1e-2, 1e-4, 1e-6, 1e-9};  // m
 
 struct Tried {
@@ -59,9 +61,9 @@ std::vector<Verdict> verdicts_on(Member const& member, Experience const& seen) {
     std::vector<Tried> tried;
     for (Forecast const& forecast : physics::forecasts_for(member.task.scene, seen)) {
         auto const* steps = std::get_if<physics::Steps>(&forecast.method);
-        if (steps && steps->rate > 4000) continue;  // dearer than any that the cheapest could be
+        if (steps && steps->rate > highest_tried) continue;
         double const error = steps ? error_of(forecast.method, member.task, known) : known.uncertainty;
-        tried.push_back({forecast.method, error, cost_of(forecast.method, member.task, {1, 5, 2e4})});
+        tried.push_back({forecast.method, error, cost_of(forecast.method, member.task, hasty)});
     }
     return verdicts_on(member.kind, tried, known.uncertainty, [&](double tolerance) {
         return physics::advice_for(member.task.scene, tolerance, seen).method;
@@ -71,7 +73,7 @@ std::vector<Verdict> verdicts_on(Member const& member, Experience const& seen) {
 std::vector<Verdict> verdicts_on_pile(int balls, Experience const& seen) {
     physics::Scene const scene = pile_of(balls);
     std::vector<Tried> tried;
-    for (double const rate : {60.0, 240.0}) {
+    for (double const rate : pile_rates) {
         Settled const pile = settled(balls, {rate, 4}, settling);
         tried.push_back({physics::Steps{rate}, pile.overlap, pile.cost});
     }

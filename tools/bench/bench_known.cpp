@@ -45,14 +45,13 @@ double cost_of(physics::Method const& method, Task const& task, Effort const& ef
 }
 
 Known known_of(Member const& member) {
-    constexpr double finest = 7680;
     Known known{answers_of(physics::Exact{}, member.task, 0), answers_of(physics::Exact{}, member.task, between), 0};
     if (member.truth) {
         std::vector<Vec2> const truth = rounded(*member.truth);
         known.uncertainty = largest_distance(known.at_frames, truth);
         known.at_frames = truth;
     } else {
-        known.uncertainty = largest_distance(known.at_frames, answers_of(physics::Steps{finest}, member.task, 0));
+        known.uncertainty = largest_distance(known.at_frames, answers_of(physics::Steps{finest_rate}, member.task, 0));
     }
     return known;
 }

@@ -14,8 +14,6 @@ namespace bench {
 
 namespace {
 
-constexpr double finest = 7680;  // steps/s, of the steps that check the reference, or are it
-
 // The best answer that can be had where there is no closed form.
 struct Reference {
     std::string method, text;
@@ -118,8 +116,8 @@ std::string metres(double length) {
 }
 
 Reference reference_of(Task const& task) {
-    auto const fine = answer_of(contestant_of("steps", finest), task);
-    std::string const rate = std::to_string(static_cast<int>(finest)) + " Hz";
+    auto const fine = answer_of(contestant_of("steps", finest_rate), task);
+    std::string const rate = std::to_string(static_cast<int>(finest_rate)) + " Hz";
     if (exact_suffices(task)) {
         Reference reference{"exact", "", 0, answer_of(contestant_of("exact", 0), task)};
         reference.uncertainty = largest_distance(reference.truth, fine);
@@ -127,7 +125,7 @@ Reference reference_of(Task const& task) {
         return reference;
     }
     Reference reference{"steps", "", 0, fine};
-    reference.uncertainty = largest_distance(fine, answer_of(contestant_of("steps", finest / 2), task));
+    reference.uncertainty = largest_distance(fine, answer_of(contestant_of("steps", finest_rate / 2), task));
     reference.text = "steps at " + rate + ", as balls lean on each other; half the rate moves it by " +
                      metres(reference.uncertainty);
     return reference;
@@ -145,7 +143,7 @@ std::vector<Measured> measured_on(Task const& task, Reference const& reference, 
     std::vector<Measured> all;
     for (Contestant const& contestant : methods_at(wish.rates)) {
         bool const is_reference =
-            contestant.method == reference.method && (contestant.rate == 0 || contestant.rate == finest);
+            contestant.method == reference.method && (contestant.rate == 0 || contestant.rate == finest_rate);
         double const error = is_reference ? reference.uncertainty : error_of(contestant, start);
         all.push_back({contestant, error, is_reference, sampled_run("level", contestant, task, wish.effort),
                        unsampled_run("level", contestant, task, wish.effort)});
