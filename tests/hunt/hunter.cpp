@@ -1,6 +1,8 @@
 // Draws levels by seed, plays them and prints what is wrong: `hunter --kind arcs --seeds 0 1000`.
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -10,19 +12,24 @@
 #include <vector>
 
 #include "game/run_file.h"
+#include "hunt/apart.h"
 #include "hunt/judge.h"
 #include "hunt/kinds.h"
+#include "hunt/shrink.h"
 
 namespace {
 
 struct Wishes {
     std::vector<std::string> kinds;     // none = all
     std::uint64_t from = 0, to = 1000;  // seeds, `to` excluded
+    double seconds = 0;                 // s, how long to go on from `from`; 0: up to `to`
+    std::size_t jobs = 1;
     std::string method = "exact";
-    std::string folder;  // empty: nothing is written
+    std::string folder;  // where what fails is written, cut down; empty: nowhere
 };
 
-char const usage[] = "usage: hunter [--kind KIND]... [--seeds FROM TO] [--method exact|steps] [--write FOLDER]\n";
+char const usage[] =
+    "hunter [--kind KIND]... [--seeds FROM TO] [--for SECONDS] [--jobs N] [--method exact|steps] [--write FOLDER]";
 
 std::uint64_t whole_number(std::string const& text) {
     std::size_t used = 0;
@@ -43,6 +50,10 @@ Wishes wishes_in(std::vector<std::string> const& words) {
         } else if (words[i] == "--seeds") {
             wishes.from = whole_number(value());
             wishes.to = whole_number(value());
+        } else if (words[i] == "--for") {
+            wishes.seconds = static_cast<double>(whole_number(value()));
+        } else if (words[i] == "--jobs") {
+            wishes.jobs = std::max<std::size_t>(1, whole_number(value()));
         } else if (words[i] == "--method") {
             wishes.method = value();
         } else if (words[i] == "--write") {
@@ -103,33 +114,86 @@ void print(std::string const& kind, Tally const& tally) {
     std::fflush(stdout);
 }
 
-bool hunt_down(Wishes const& wishes) {
-    physics::Method const method =
-        wishes.method == "exact" ? physics::Method(physics::Exact{}) : physics::Method(physics::Steps{});
-    long long failed = 0;
-    for (std::string const& kind : wishes.kinds) {
-        Tally tally;
-        for (std::uint64_t seed = wishes.from; seed < wishes.to; ++seed) {
-            hunt::Sketch const sketch = hunt::sketch_of(kind, seed);
-            hunt::Verdict const verdict = hunt::judged(sketch, method, hunt::Clock::judged);
-            add(tally, verdict);
-            if (verdict.findings.empty()) continue;
-            print(kind, seed, verdict);
-            if (!wishes.folder.empty()) write(sketch, wishes, kind + "-" + std::to_string(seed));
-        }
-        print(kind, tally);
-        failed += tally.failed;
-    }
-    return failed == 0;
+physics::Method method_of(Wishes const& wishes) {
+    return wishes.method == "exact" ? physics::Method(physics::Exact{}) : physics::Method(physics::Steps{});
 }
+
+// The same kind of failure, and not a tenth of it.
+hunt::Sketch cut_down(hunt::Sketch const& sketch, hunt::Finding const& finding, physics::Method const& method) {
+    bool const of_time = finding.wrong == hunt::Wrong::slow || finding.wrong == hunt::Wrong::stall;
+    hunt::Clock const clock = of_time ? hunt::Clock::judged : hunt::Clock::ignored;
+    return hunt::shrunk(sketch, finding.time, [&](hunt::Sketch const& smaller) {
+        auto const verdict = hunt::Errand([&] { return hunt::judged(smaller, method, clock); }).finish();
+        return std::any_of(verdict.findings.begin(), verdict.findings.end(), [&](hunt::Finding const& other) {
+            return other.wrong == finding.wrong && other.measured >= finding.measured / 10;
+        });
+    });
+}
+
+// A case and the child that judges it.
+struct Chase {
+    std::string kind;
+    std::uint64_t seed = 0;
+    hunt::Errand errand;
+};
+
+Chase chase(std::string const& kind, std::uint64_t seed, Wishes const& wishes) {
+    return {kind, seed, hunt::Errand([&] {
+                hunt::Sketch const sketch = hunt::sketch_of(kind, seed);
+                hunt::Verdict const verdict = hunt::judged(sketch, method_of(wishes), hunt::Clock::judged);
+                if (!verdict.findings.empty() && !wishes.folder.empty())
+                    write(cut_down(sketch, verdict.findings.front(), method_of(wishes)), wishes,
+                          kind + "-" + std::to_string(seed));
+                return verdict;
+            })};
+}
+
+class Hunt {
+public:
+    explicit Hunt(Wishes const& wishes) : wishes_(wishes) {}
+
+    // Whether nothing failed.
+    bool down() {
+        auto const start = std::chrono::steady_clock::now();
+        auto const is_over = [&](std::uint64_t seed) {
+            if (wishes_.seconds == 0) return seed >= wishes_.to;
+            return std::chrono::steady_clock::now() - start > std::chrono::duration<double>(wishes_.seconds);
+        };
+        for (std::uint64_t seed = wishes_.from; !is_over(seed); ++seed)
+            for (std::string const& kind : wishes_.kinds) {
+                while (chases_.size() >= wishes_.jobs) finish_one();
+                chases_.push_back(chase(kind, seed, wishes_));
+            }
+        while (!chases_.empty()) finish_one();
+        for (auto const& [kind, tally] : tallies_) print(kind, tally);
+        return std::all_of(tallies_.begin(), tallies_.end(), [](auto const& each) { return each.second.failed == 0; });
+    }
+
+private:
+    void finish_one() {
+        Chase& first = chases_.front();
+        hunt::Verdict const verdict = first.errand.finish();
+        add(tallies_[first.kind], verdict);
+        if (!verdict.findings.empty()) {
+            print(first.kind, first.seed, verdict);
+            if (verdict.findings.front().wrong == hunt::Wrong::no_end && !wishes_.folder.empty())
+                write(hunt::sketch_of(first.kind, first.seed), wishes_, first.kind + "-" + std::to_string(first.seed));
+        }
+        chases_.pop_front();
+    }
+
+    Wishes wishes_;
+    std::deque<Chase> chases_;
+    std::map<std::string, Tally> tallies_;
+};
 
 }  // namespace
 
 int main(int count, char** arguments) {
     try {
-        return hunt_down(wishes_in({arguments + 1, arguments + count})) ? 0 : 1;
+        return Hunt(wishes_in({arguments + 1, arguments + count})).down() ? 0 : 1;
     } catch (std::invalid_argument const& error) {
-        std::fprintf(stderr, "hunter: %s; %s", error.what(), usage);
+        std::fprintf(stderr, "hunter: %s; usage: %s\n", error.what(), usage);
         return 2;
     } catch (std::exception const& error) {
         std::fprintf(stderr, "hunter: %s\n", error.what());

@@ -8,6 +8,7 @@
 
 #include "game/session.h"
 #include "hunt/dice.h"
+#include "hunt/otherwise.h"
 #include "hunt/witness.h"
 
 namespace hunt {
@@ -117,8 +118,9 @@ void time(LevelRef const& level, Sketch const& sketch, Played const& played, phy
 }  // namespace
 
 char const* name_of(Wrong wrong) {
-    constexpr char const* names[] = {"refused", "not-finite", "handover", "depth", "drawn",     "jump", "energy",
-                                     "hover",   "held",       "rows",     "crowd", "otherwise", "slow", "stall"};
+    constexpr char const* names[] = {"refused", "no-end", "not-finite", "handover", "depth",
+                                     "drawn",   "jump",   "energy",     "hover",    "held",
+                                     "rows",    "crowd",  "otherwise",  "slow",     "stall"};
     return names[static_cast<int>(wrong)];
 }
 
@@ -132,6 +134,10 @@ Verdict judged(Sketch const& sketch, physics::Method const& method, Clock clock)
         count(played, verdict, findings);
         look(sketch, played.session, played.end, limits_of(sketch, method), findings);
         if (!played.given_up) ask_otherwise(level, sketch, played, method, findings);
+        bool const is_exact = std::holds_alternative<physics::Exact>(method);
+        if (is_exact && !played.given_up)
+            if (auto const finding = moves_otherwise(sketch))
+                findings.note(finding->wrong, finding->measured, finding->time, finding->words);
         if (clock == Clock::judged) time(level, sketch, played, method, verdict, findings);
     } catch (std::runtime_error const& error) {
         findings.note(Wrong::refused, 0, 0, error.what());

@@ -12,6 +12,7 @@ namespace hunt {
 // In order of weight: the first of several is what a case is filed under.
 enum class Wrong {
     refused,     // the reader says no, or the method cannot go on
+    no_end,      // s of processor time after which it was given up, or a crash
     not_finite,  // m
     handover,    // a lone ball was handed over
     depth,       // m, inside the ground as read

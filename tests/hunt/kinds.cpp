@@ -52,15 +52,16 @@ Vec2 place_beside(Dice& dice, Ground const& ground, double radius) {
     return limb.from + dice.unit() * along + (radius + gap) * normal;
 }
 
-// The nearest ground as drawn is at least a radius away; curves are read to a millimetre, and vertices to a micrometre.
-bool is_clear(Ground const& ground, Vec2 const& place, double radius, double slack) {
-    return nearest_on(ground, place).distance >= radius - 1e-15 + slack;
+bool is_clear(Ground const& ground, Vec2 const& place, double least) {
+    return nearest_on(ground, place).distance >= least - 1e-15;
 }
+
+// How far a ball must keep from the ground as drawn, m.
+double least_distance(Sketch const& sketch) { return sketch.ball.radius + (is_curved(sketch) ? 3e-3 : 0); }
 
 Vec2 place_for(Dice& dice, Sketch const& sketch, std::vector<Vec2> const& hints) {
     Ground const ground = ground_of(sketch.elements);
     double const radius = sketch.ball.radius;
-    double const slack = is_curved(sketch) ? 3e-3 : 0;  // m
     bool const beside = dice.chance(0.3);
     for (int trial = 0; trial < 300; ++trial) {
         bool const hinted = !hints.empty() && trial < 20;
@@ -68,7 +69,7 @@ Vec2 place_for(Dice& dice, Sketch const& sketch, std::vector<Vec2> const& hints)
             hinted   ? hints[static_cast<std::size_t>(dice.whole(0, static_cast<int>(hints.size()) - 1))]
             : beside ? place_beside(dice, ground, radius)
                      : Vec2(dice.between(radius, sketch.width - radius), dice.between(radius, sketch.height - radius));
-        if (is_clear(ground, place, radius, slack)) return place;
+        if (is_clear(ground, place, least_distance(sketch))) return place;
     }
     return {sketch.width / 2, sketch.height + 1.5};  // nothing was free: down from above
 }
@@ -96,6 +97,10 @@ Sketch sketch_of(std::string const& name, std::uint64_t seed) {
     sketch.ball.start.position = place_for(dice, sketch, hints);
     if (name != base) add_player(dice, sketch);
     return sketch;
+}
+
+bool starts_clear(Sketch const& sketch) {
+    return is_clear(ground_of(sketch.elements), sketch.ball.start.position, least_distance(sketch));
 }
 
 physics::Material drawn_material(Dice& dice) {

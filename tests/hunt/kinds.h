@@ -35,6 +35,9 @@ std::vector<std::string> kind_names();
 // Throws std::invalid_argument for a kind that does not exist.
 Sketch sketch_of(std::string const& kind, std::uint64_t seed);
 
+// Whether the ball is let go clear of the ground as drawn; curves are read to a millimetre.
+bool starts_clear(Sketch const& sketch);
+
 // Parts that several kinds share.
 physics::Material drawn_material(Dice& dice);
 void add_box(Sketch& sketch, physics::Material const& material, double corner_radius);

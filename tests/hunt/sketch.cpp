@@ -1,7 +1,7 @@
 #include "hunt/sketch.h"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -20,17 +20,11 @@ struct Match : Cases... {
 template <typename... Cases>
 Match(Cases...) -> Match<Cases...>;
 
+// The shortest text that reads as the same number.
 std::string text_of(double number) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.17g", number == 0 ? 0 : number);  // no minus nought
-    double const same = std::strtod(text, nullptr);
-    // The shortest of those that read as the same number.
-    for (int digits = 1; digits < 17; ++digits) {
-        char shorter[32];
-        std::snprintf(shorter, sizeof shorter, "%.*g", digits, number == 0 ? 0 : number);
-        if (std::strtod(shorter, nullptr) == same) return shorter;
-    }
-    return text;
+    auto const end = std::to_chars(text, text + sizeof text, number == 0 ? 0 : number).ptr;  // no minus nought
+    return {text, end};
 }
 
 // The viewBox ends at y = 0, so that drawing and world differ by a sign and by no rounding.
