@@ -16,11 +16,9 @@ constexpr double extremum_share = 1e-9;
 // Share of t within which the event itself is placed.
 constexpr double event_share = 2.5e-16;
 
-// Where a polynomial changes sign in (0, until), in order, and its sign just after 0 (0 for the zero polynomial).
-struct SignChanges {
-    int count = 0;
+// Where a polynomial changes sign, and its sign just after 0 (0 for the zero polynomial).
+struct SignChanges : Crossings {
     int sign = 0;
-    std::array<double, most_coefficients> at;
 
     void add(double t) { at[count++] = t; }
 };
@@ -79,7 +77,7 @@ void add_quadratic_sign_changes(std::span<double const> p, double until, SignCha
         if (t > 0 && t < until) changes.add(t);
 }
 
-SignChanges sign_changes(std::span<double const> p, double until) {
+SignChanges sign_changes(std::span<double const> p, double until, double share) {
     SignChanges changes;
     p = without_leading_zeros(p);
     while (!p.empty() && p.front() == 0) p = p.subspan(1);  // a root at 0 itself changes no sign after it
@@ -91,20 +89,25 @@ SignChanges sign_changes(std::span<double const> p, double until) {
         return changes;
     }
     std::array<double, most_coefficients> room;
-    SignChanges const turns = sign_changes(derivative_of(p, room), until);
+    SignChanges const turns = sign_changes(derivative_of(p, room), until, extremum_share);
     Bracket bracket{0, 0, p.front(), 0, changes.sign};
     for (int i = 0; i <= turns.count; ++i) {
         bracket.high = i < turns.count ? turns.at[i] : until;
         if (bracket.high == infinity) bracket.high = settled_after(p, bracket.low);
         bracket.high_value = value_at(p, bracket.high);
         bool const crosses = sign_of(bracket.high_value) * bracket.low_sign < 0;
-        if (crosses) changes.add(root_of(p, bracket, extremum_share));
+        if (crosses) changes.add(root_of(p, bracket, share));
         bracket = {bracket.high, 0, bracket.high_value, 0, crosses ? -bracket.low_sign : bracket.low_sign};
     }
     return changes;
 }
 
 }  // namespace
+
+Crossings crossings(std::span<double const> polynomial, double until) {
+    assert(polynomial.size() <= most_coefficients);
+    return sign_changes(polynomial, until, event_share);
+}
 
 std::optional<double> first_fall(std::span<double const> gap, double until) {
     assert(gap.size() <= most_coefficients);
@@ -113,7 +116,7 @@ std::optional<double> first_fall(std::span<double const> gap, double until) {
     if (gap.size() <= 3) return first_quadratic_fall(gap[0], gap[1], gap.size() > 2 ? gap[2] : 0, until);
     if (gap[0] > 0 && keeps_sign(gap, until)) return std::nullopt;
     std::array<double, most_coefficients> room;
-    SignChanges const turns = sign_changes(derivative_of(gap, room), until);
+    SignChanges const turns = sign_changes(derivative_of(gap, room), until, extremum_share);
     bool closing = turns.sign < 0;
     Bracket bracket{0, 0, gap[0], 0, 1};
     for (int i = 0; i <= turns.count; ++i) {

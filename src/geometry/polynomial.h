@@ -27,8 +27,24 @@ inline double value_at(std::span<double const> polynomial, double t) {
 // The gap at the answer is zero up to the rounding of its own terms.
 std::optional<double> first_fall(std::span<double const> gap, double until);
 
-// The same for -gap.
+// Every t in (0, until) at which the polynomial changes its sign, in order, up to the rounding of its own terms.
+struct Crossings {
+    int count = 0;
+    std::array<double, most_coefficients> at;
+    std::span<double const> all() const { return std::span<double const>(at).first(static_cast<std::size_t>(count)); }
+};
+Crossings crossings(std::span<double const> polynomial, double until);
+
+// first_fall of -gap.
 std::optional<double> first_rise(std::span<double const> gap, double until);
+
+// The same polynomial counted from t.
+template <std::size_t N>
+std::array<double, N> counted_from(double t, std::array<double, N> p) {
+    for (std::size_t done = 0; done + 1 < N; ++done)
+        for (std::size_t i = N - 1; i-- > done;) p[i] += t * p[i + 1];
+    return p;
+}
 
 // first_fall of c0 + c1 t + c2 t^2 in closed form.
 inline std::optional<double> first_quadratic_fall(double c0, double c1, double c2, double until) {

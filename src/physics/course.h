@@ -36,7 +36,7 @@ struct Rider {
 State state_of(Setting const& setting, Rider const& rider);
 
 // A hop lower than this many radii is not seen.
-inline constexpr double lowest_hop = 1e-15;
+inline constexpr double lowest_hop = 1e-13;
 // The speed with which a ball in this field does not get farther than the lowest hop, m/s.
 double sway_speed(Setting const& setting, State const& state);
 
@@ -70,8 +70,8 @@ struct Law {
 };
 Law law_for(Setting const& setting, Rider const& rider, Onset onset);
 
-// Free of contact from `state` on; `left` is the contact just parted from.
-Course flight_course(Setting const& setting, State const& state, double since, Contact left);
+// Free of contact from `state` on.
+Course flight_course(Setting const& setting, State const& state, double since);
 // Continues the search of a flight whose next events are known only up to `searched` seconds after its beginning.
 Course continued_flight(Setting const& setting, Leg const& leg, double searched);
 

@@ -6,6 +6,7 @@
 #include "geometry/polynomial.h"
 #include "physics/course.h"
 #include "physics/course_track.h"
+#include "physics/strides.h"
 
 namespace physics {
 
@@ -16,7 +17,6 @@ constexpr int order = series_order;
 constexpr double truncation = 1e-17;
 // A rate of slip below this share of the acceleration is rounding.
 constexpr double onset_rounding = 1e-12;
-constexpr double longest_stride = 2;  // s
 
 // The motion about the rider's present place, coefficients by power of the time.
 struct Expansion {
@@ -87,35 +87,11 @@ Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& la
     return x;
 }
 
-constexpr double power(double base, int exponent) {
-    double result = 1;
-    for (; exponent > 0; exponent >>= 1, base *= base)
-        if (exponent & 1) result *= base;
-    return result;
-}
-
-// Strides are of a fixed set of lengths, each with its power for the term before the last.
-struct Stride {
-    double length = 0;  // s
-    double power = 0;
-};
-constexpr std::array<Stride, 200> strides = [] {
-    std::array<Stride, 200> all;
-    double length = longest_stride;
-    for (Stride& stride : all) {
-        stride = {length, power(length, order - 1)};
-        length *= 0.84;
-    }
-    return all;
-}();
-
 // The longest stride at which the terms left out do not show.
 double stride_of(Expansion const& x, double rho) {
     double const size = truncation * (1 + std::abs(x.phi[1]));
     double const last = std::abs(x.speed[order]) / rho, before = std::abs(x.speed[order - 1]) / rho;
-    for (Stride const& stride : strides)
-        if (last * stride.power * stride.length <= size && before * stride.power <= size) return stride.length;
-    return strides.back().length;
+    return longest_stride<order>(last, before, size);
 }
 
 Series combined(double a, Series const& x, double b, Series const& y) {

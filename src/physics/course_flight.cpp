@@ -39,8 +39,8 @@ Course continued_flight(Setting const& setting, Leg const& leg, double searched)
         course.leg.until = never;
         return course;
     }
-    Contact const left = searched == 0 ? leg.contact : no_contact;
-    Obstacle const found = first_obstacle(setting.terrain, leg, setting.ball.radius, searched, searched + window, left);
+    Obstacle const found = first_contact(setting.terrain, std::get<SpringFlight>(leg.motion), setting.ball.radius, searched,
+                                         searched + window);
     course.duration = found.time;
     course.leg.until = leg.since + course.duration;
     course.ending = found.contact.feature >= 0 ? Ending::meets : Ending::goes_on;
@@ -48,20 +48,17 @@ Course continued_flight(Setting const& setting, Leg const& leg, double searched)
     return course;
 }
 
-Course flight_course(Setting const& setting, State const& state, double since, Contact left) {
+Course flight_course(Setting const& setting, State const& state, double since) {
     Course course;
     course.leg.since = since;
     if (setting.field.pulled) {
         Vec2 const equilibrium = setting.field.target + setting.field.gravity / setting.field.spring.stiffness;
         course.leg.motion = SpringFlight{state, equilibrium, setting.field.spring};
-        course.leg.contact = left;
-        course = continued_flight(setting, course.leg, 0);
-        course.leg.contact = no_contact;
-        return course;
+        return continued_flight(setting, course.leg, 0);
     }
     course.leg.motion = Ballistic{state, setting.field.gravity, 0};
     Parabola const path{state.position, state.velocity, setting.field.gravity};
-    Obstacle const found = first_obstacle(setting.terrain, path, setting.ball.radius, never, left, {});
+    Obstacle const found = first_contact(setting.terrain, path, setting.ball.radius, never);
     course.duration = found.time;
     course.leg.until = since + found.time;
     course.ending = found.time < never ? Ending::meets : Ending::none;

@@ -94,6 +94,7 @@ private:
     // Makes a turnout the ball's present.
     void take(int i, Turnout const& turnout, double time) {
         Course const& course = turnout.course;
+        if (getenv("SMB_DBG")) { State st = at(course.leg, time); fprintf(stderr, "DBG %.17g ph %d con %d,%d end %d dur %.3g next %d,%d p %.12g %.12g v %.6g %.6g w %.4g hap", time, int(course.leg.phase), course.leg.contact.feature, course.leg.contact.side, int(course.ending), course.duration, course.next.feature, course.next.side, st.position.x(), st.position.y(), st.velocity.x(), st.velocity.y(), st.spin); for (auto& h : turnout.happenings) fprintf(stderr, " %d@%d", int(h.kind), h.contact.feature); fprintf(stderr, "\n"); } // DBG
         Trail<Leg>& legs = history_.legs[i];
         // A leg that lasted no time leaves no trace; one that goes on is the same leg, known further ahead.
         if (!legs.empty() && legs.back().since >= course.leg.since) legs.pop_back();
@@ -121,8 +122,22 @@ private:
         return ++outlook.watch_count <= watch_events;
     }
 
+    // Whether events follow each other without an end to it, though no rule of ours should let them.
+    bool stalls(int i) {
+        Outlook& outlook = world_.outlooks[i];
+        if (world_.time - outlook.watch_since > stall_span) {
+            outlook.watch_since = world_.time;
+            outlook.watch_count = 0;
+        }
+        return ++outlook.watch_count > stall_events;
+    }
+
     bool end_leg(int i) {
-        if (!watched(i)) return false;
+        if (count() > 1 && !watched(i)) return false;
+        if (count() == 1 && stalls(i)) {
+            take(i, creeping(setting(i), at_span(world_.legs[i], world_.outlooks[i].duration), world_.time), world_.time);
+            return true;
+        }
         bool const same_motion = world_.outlooks[i].ending == Ending::goes_on && world_.legs[i].phase == Phase::flight;
         if (!hop(i) && !pass(i)) {
             Outlook const before = world_.outlooks[i];

@@ -9,13 +9,6 @@ namespace physics {
 
 using geometry::Swing;
 
-namespace {
-
-State state_on(Straight const& m, double t) {
-    if (t == 0) return m.from;
-    return {m.from.position + t * m.rate, m.from.velocity, m.from.angle + t * m.angle_rate, m.from.spin};
-}
-
 State state_on(SpringFlight const& m, double t) {
     geometry::Basis const basis = geometry::basis_at(m.oscillator, t);
     Vec2 const d = m.from.position - m.equilibrium;
@@ -23,6 +16,13 @@ State state_on(SpringFlight const& m, double t) {
     Swing const y = swing_after(m.oscillator, basis, {d.y(), m.from.velocity.y()});
     return {m.equilibrium + Vec2(x.displacement, y.displacement), Vec2(x.rate, y.rate), m.from.angle + t * m.from.spin,
             m.from.spin};
+}
+
+namespace {
+
+State state_on(Straight const& m, double t) {
+    if (t == 0) return m.from;
+    return {m.from.position + t * m.rate, m.from.velocity, m.from.angle + t * m.angle_rate, m.from.spin};
 }
 
 State state_on(LineSwing const& m, double t) {

@@ -100,6 +100,7 @@ inline State state_on(Ballistic const& m, double t) {
     return {m.from.position + t * mean, m.from.velocity + t * m.acceleration,
             m.from.angle + t * (m.from.spin + 0.5 * t * m.spin_rate), m.from.spin + t * m.spin_rate};
 }
+State state_on(SpringFlight const& motion, double t);
 State state_on(Motion const& motion, double t);
 
 // The state `span` seconds after the leg began. Most motions are ballistic, and of those only what is asked for is

@@ -1,8 +1,10 @@
 // What becomes of a ball where it touches terrain: blows, then which contacts it keeps.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
+#include "physics/contacts_at.h"
 #include "physics/course_track.h"
 #include "physics/impact.h"
 #include "physics/ride.h"
@@ -19,6 +21,8 @@ constexpr double rounding_share = 1e-12;
 constexpr int most_blows = 200;
 // Normals nearer than this to parallel leave a ball free to move along both surfaces.
 constexpr double parallel = 1e-9;
+// Normals nearer than this to opposite do not hold what lies between them.
+constexpr double opposite_normals = 4e-9;
 
 ContactSpeeds speeds_at(Setting const& setting, State const& state, Vec2 const& normal) {
     return {dot(state.velocity, normal), dot(state.velocity, geometry::turned_right(normal)),
@@ -33,11 +37,12 @@ void set_speeds(Setting const& setting, State& state, Vec2 const& normal, Contac
 // A ball among its supports, while blows change its state.
 struct Struck {
     State state;
-    std::vector<Support> supports;
+    std::vector<Support> touched;   // all that is touched, and
+    std::vector<Support> supports;  // of what shares a normal the one that counts
     Contact known;  // that the caller says is touched
     std::vector<Turnout::Happening> blows;
     double rounding = 0;                 // m/s: slower than this, after what happens here, is not moving
-    std::optional<std::size_t> gripped;  // the last support that stopped the slip, if nothing came after
+    std::optional<Vec2> gripped;         // the normal at which an impact stopped the slip, if nothing came after
 };
 
 void note_blow(Struck& struck, EventKind kind, Contact contact) {
@@ -52,7 +57,7 @@ void strike(Setting const& setting, Struck& struck, std::size_t i) {
     ContactSpeeds const before = speeds_at(setting, struck.state, support.normal);
     ContactSpeeds const after = after_impact(before, material.restitution, material.friction, setting.ball.inertia);
     set_speeds(setting, struck.state, support.normal, after);
-    struck.gripped = after.slip() == 0 ? std::optional(i) : std::nullopt;
+    struck.gripped = after.slip() == 0 ? std::optional(support.normal) : std::nullopt;
     note_blow(struck, after.normal > 0 ? EventKind::bounce : EventKind::land, support.contact);
 }
 
@@ -118,7 +123,7 @@ Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
     rider.q = nearest_coordinate(rider.track, struck.state.position);
     rider.speed = std::abs(speeds.tangent) <= struck.rounding ? 0 : speeds.tangent;
     rider.rim =
-        std::abs(speeds.slip()) <= struck.rounding || struck.gripped == i ? rider.speed : speeds.rim;
+        std::abs(speeds.slip()) <= struck.rounding || struck.gripped == support.normal ? rider.speed : speeds.rim;
     rider.angle = struck.state.angle;
     return rider;
 }
@@ -138,7 +143,7 @@ std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::
 Turnout ride_from(Setting const& setting, Rider const& free_rider, double time) {
     Turnout turnout;
     if (!is_pressed(setting, free_rider)) {
-        turnout.course = flight_course(setting, state_of(setting, free_rider), time, free_rider.contact);
+        turnout.course = flight_course(setting, state_of(setting, free_rider), time);
         turnout.happenings.push_back({EventKind::lift, free_rider.contact});
         return turnout;
     }
@@ -197,25 +202,47 @@ std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std:
     return std::nullopt;
 }
 
+// Two points level with the ball's centre, just as far apart as it is wide, hold it by rounding alone: it passes them.
+Vec2 past_opposites(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept) {
+    Vec2 const load = acceleration_in(setting.field, struck.state.position, Vec2::Zero());
+    for (std::size_t const i : kept)
+        for (std::size_t const j : kept) {
+            Vec2 const& normal = struck.supports[i].normal;
+            bool const opposite = geometry::length(normal + struck.supports[j].normal) <= opposite_normals;
+            Vec2 const along = load - dot(load, normal) * normal;
+            double const pull = geometry::length(along);
+            if (opposite && pull > 0) return along * (touch_reach / pull);
+        }
+    return Vec2::Zero();
+}
+
 // No way out: the ball jams if anything presses on it, else it flies.
 Turnout stuck(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
     Turnout turnout;
+    State state = struck.state;
+    Vec2 const passing = past_opposites(setting, struck, kept);
+    if (passing != Vec2::Zero()) {
+        state.position += passing;
+        turnout.course = flight_course(setting, state, time);
+        return turnout;
+    }
     for (std::size_t const i : kept) {
         if (!is_pressed(setting, rider_on(setting, struck, i))) continue;
-        State still = struck.state;
-        still.velocity = Vec2::Zero();
-        still.spin = 0;
-        turnout.course = standing_course(still, struck.supports[i].contact, 0, time);
+        state.velocity = Vec2::Zero();
+        state.spin = 0;
+        turnout.course = standing_course(state, struck.supports[i].contact, 0, time);
         turnout.happenings.push_back({EventKind::rest, struck.supports[i].contact});
         return turnout;
     }
-    turnout.course = flight_course(setting, struck.state, time, no_contact);
+    turnout.course = flight_course(setting, state, time);
     return turnout;
 }
 
-// A standing ball that its supports do not hold goes along the one that leads it away from the others.
-Turnout way_out(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
+// Along the support that leads a ball away from the others that it keeps to, if there is one.
+std::optional<Turnout> way_out(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept,
+                               double time) {
     for (std::size_t const i : kept) {
+        if (!fits(setting.terrain, struck.supports[i].contact, setting.ball.radius)) continue;
         Rider const rider = rider_on(setting, struck, i);
         if (!is_pressed(setting, rider)) continue;
         double const force = normal_force(setting, rider);
@@ -228,35 +255,7 @@ Turnout way_out(Setting const& setting, Struck const& struck, std::vector<std::s
             free = free && (j == i || dot(way, struck.supports[j].normal) >= -parallel * geometry::length(way));
         if (free) return ride_from(setting, rider, time);
     }
-    return stuck(setting, struck, kept, time);
-}
-
-Turnout kept_turnout(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
-    if (kept.size() > 1) {
-        if (auto held = wedged(setting, struck, kept, time)) return *held;
-        return way_out(setting, struck, kept, time);
-    }
-    double const hop = *hop_on(setting, struck, kept.front());
-    Rider const rider = rider_on(setting, struck, kept.front());
-    if (hop == 0) return ride_from(setting, rider, time);
-    Turnout turnout;
-    turnout.course = settling_course(setting, rider, hop, time);
-    return turnout;
-}
-
-Struck struck_at(Setting const& setting, State const& state, Contact known) {
-    double const rounding =
-        rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
-    Struck struck{state, supports_at(setting.terrain, state.position, setting.ball.radius), known, {}, rounding, std::nullopt};
-    if (known.feature < 0 || !fits(setting.terrain, known, setting.ball.radius)) return struck;
-    for (Support const& s : struck.supports)
-        if (s.contact == known) return struck;
-    Track const track = track_of(setting.terrain, known, setting.ball.radius);
-    Vec2 const normal = normal_at(track, nearest_coordinate(track, state.position));
-    for (Support const& s : struck.supports)
-        if (geometry::length(s.normal - normal) <= touch_reach) return struck;
-    struck.supports.push_back({known, normal});
-    return struck;
+    return std::nullopt;
 }
 
 // Two surfaces that are not parallel leave a ball that keeps to both no way to move.
@@ -268,18 +267,72 @@ bool pins(Struck const& struck, std::vector<std::size_t> const& kept) {
     return false;
 }
 
+// Bounces to and fro between surfaces that are not parallel die out like a geometric series, the speeds along them
+// included: where none of them would be seen any more the ball stands.
+bool stands_among_several(Setting const& setting, Struck const& struck) {
+    std::vector<std::size_t> all(struck.supports.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all.size() > 1 && geometry::length(struck.state.velocity) <= 2 * sway_speed(setting, struck.state) &&
+           pins(struck, all);
+}
+
+// Along one of several surfaces that a ball keeps to, or else standing: held by them, let go by one of them, or jammed.
+Turnout among_several(Setting const& setting, Struck& struck, std::vector<std::size_t> const& kept, double time) {
+    if (struck.state.velocity != Vec2::Zero())
+        if (auto const on = way_out(setting, struck, kept, time)) return *on;
+    if (pins(struck, kept)) struck.state.velocity = Vec2::Zero();
+    if (auto const held = wedged(setting, struck, kept, time)) return *held;
+    if (auto const on = way_out(setting, struck, kept, time)) return *on;
+    return stuck(setting, struck, kept, time);
+}
+
+Turnout kept_turnout(Setting const& setting, Struck& struck, std::vector<std::size_t> const& kept, double time) {
+    if (kept.size() > 1) return among_several(setting, struck, kept, time);
+    double const hop = *hop_on(setting, struck, kept.front());
+    Rider const rider = rider_on(setting, struck, kept.front());
+    if (hop == 0) return ride_from(setting, rider, time);
+    Turnout turnout;
+    turnout.course = settling_course(setting, rider, hop, time);
+    return turnout;
+}
+
+void choose_supports(Setting const& setting, Struck& struck) {
+    Vec2 const pull = acceleration_in(setting.field, struck.state.position, struck.state.velocity);
+    struck.supports = kept_apart(struck.touched, struck.state.velocity, pull, struck.rounding);
+}
+
+Struck struck_at(Setting const& setting, State const& state, Contact known) {
+    double const rounding =
+        rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
+    Struck struck{state, contacts_at(setting.terrain, state.position, setting.ball.radius), {}, known, {}, rounding,
+                  std::nullopt};
+    bool const found = std::any_of(struck.touched.begin(), struck.touched.end(),
+                                   [&](Support const& s) { return s.contact == known; });
+    if (known.feature >= 0 && !found && fits(setting.terrain, known, setting.ball.radius)) {
+        Track const track = track_of(setting.terrain, known, setting.ball.radius);
+        Vec2 const normal = normal_at(track, nearest_coordinate(track, state.position));
+        struck.touched.push_back({known, normal, track.straight ? 0 : track.sense / track.rho});
+    }
+    choose_supports(setting, struck);
+    return struck;
+}
+
 }  // namespace
 
 Turnout resolved(Setting const& setting, State const& state, double time, Contact known) {
     Struck struck = struck_at(setting, state, known);
     strike_all(setting, struck);
+    choose_supports(setting, struck);
+    Vec2 const pull = acceleration_in(setting.field, struck.state.position, struck.state.velocity);
+    if (stands_among_several(setting, struck)) struck.state.velocity = Vec2::Zero();
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < struck.supports.size(); ++i)
-        if (hop_on(setting, struck, i)) kept.push_back(i);
-    if (pins(struck, kept)) struck.state.velocity = Vec2::Zero();
+        if (!is_left_behind(struck.supports[i], struck.state.velocity, pull, struck.rounding) &&
+            hop_on(setting, struck, i))
+            kept.push_back(i);
     Turnout turnout;
     if (kept.empty())
-        turnout.course = flight_course(setting, struck.state, time, known);
+        turnout.course = flight_course(setting, struck.state, time);
     else
         turnout = kept_turnout(setting, struck, kept, time);
     // The first of the bounces that are summed is told with their end.

@@ -34,9 +34,9 @@ Rider rider_at(Setting const& setting, Leg const& leg, double span) {
     return rider;
 }
 
-Turnout fly(Setting const& setting, State const& state, double since, Contact left) {
+Turnout fly(Setting const& setting, State const& state, double since) {
     Turnout turnout;
-    turnout.course = flight_course(setting, state, since, left);
+    turnout.course = flight_course(setting, state, since);
     return turnout;
 }
 
@@ -51,7 +51,7 @@ Turnout ride_with(Setting const& setting, Rider const& rider, TrackEnds const& e
 // On along the track, unless nothing presses the ball on it.
 Turnout ride(Setting const& setting, Rider const& rider, TrackEnds const& ends, Onset onset, double since) {
     if (!is_pressed(setting, rider)) {
-        Turnout turnout = fly(setting, state_of(setting, rider), since, rider.contact);
+        Turnout turnout = fly(setting, state_of(setting, rider), since);
         turnout.happenings.push_back({EventKind::lift, rider.contact});
         return turnout;
     }
@@ -123,8 +123,7 @@ Turnout after_end(Setting const& setting, Leg const& leg, Outlook const& outlook
         case Ending::turns:
             return after_track(setting, leg, outlook);
         case Ending::lifts:
-            return with_happening(fly(setting, at_span(leg, outlook.duration), now, leg.contact), EventKind::lift,
-                                  leg.contact);
+            return with_happening(fly(setting, at_span(leg, outlook.duration), now), EventKind::lift, leg.contact);
         case Ending::slips:
             return with_happening(
                 ride(setting, rider_at(setting, leg, outlook.duration), outlook.ends, outlook.onset, now),
@@ -148,7 +147,7 @@ Turnout under_new_field(Setting const& setting, Leg const& leg, Outlook const& o
     bool const rides =
         leg.phase == Phase::roll || (leg.phase == Phase::slide && !std::holds_alternative<Ballistic>(leg.motion));
     if (rides) return ride(setting, rider_at(setting, leg, time - leg.since), outlook.ends, Onset::none, time);
-    if (leg.phase == Phase::flight && leg.contact.feature < 0) return fly(setting, at(leg, time), time, no_contact);
+    if (leg.phase == Phase::flight && leg.contact.feature < 0) return fly(setting, at(leg, time), time);
     return resolved(setting, at(leg, time), time, leg.contact);
 }
 

@@ -31,6 +31,12 @@ Turnout after_end(Setting const& setting, Leg const& leg, Outlook const& outlook
 // `struck` is the contact that the caller knows to be touched, or no_contact.
 Turnout resolved(Setting const& setting, State const& state, double time, Contact struck);
 
+// On from where events stall, a little way: the ball keeps to all that it touches, as if nothing there bounced or rubbed,
+// for so short a time that it strays by less than `creep_stray`. What holds when two contacts are within rounding of each
+// other in a way that no other rule foresees.
+inline constexpr double creep_stray = 1e-11;  // m
+Turnout creeping(Setting const& setting, State const& state, double time);
+
 // The same ball at `time` in the middle of a leg, after the field has changed.
 Turnout under_new_field(Setting const& setting, Leg const& leg, Outlook const& outlook, double time);
 

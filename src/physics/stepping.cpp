@@ -5,7 +5,7 @@
 
 #include "physics/steps_along.h"
 #include "physics/steps_shape.h"
-#include "physics/sweep.h"
+#include "physics/first_contact.h"
 
 namespace physics {
 

@@ -1,10 +1,9 @@
 #include "physics/terrain.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <unordered_map>
 
 #include "geometry/elementary.h"
+#include "physics/terrain_merge.h"
 
 namespace physics {
 
@@ -25,39 +24,6 @@ bool is_whole_circle(geometry::Curve const& curve) {
     return arc != nullptr && std::abs(arc->sweep) >= 2 * pi - whole_circle_slack;
 }
 
-// Finds the vertex at a point, in cells as wide as the reach, so that only neighbours need a look.
-class VertexFinder {
-public:
-    explicit VertexFinder(std::vector<Vertex>& vertices) : vertices_(vertices) {}
-
-    int at(Vec2 const& point) {
-        auto const column = static_cast<std::int64_t>(std::floor(point.x() / vertex_reach));
-        auto const row = static_cast<std::int64_t>(std::floor(point.y() / vertex_reach));
-        for (std::int64_t i = column - 1; i <= column + 1; ++i)
-            for (std::int64_t j = row - 1; j <= row + 1; ++j)
-                if (int const found = in_cell(i, j, point); found >= 0) return found;
-        vertices_.push_back({point, {}});
-        int const index = static_cast<int>(vertices_.size()) - 1;
-        cells_[key(column, row)].push_back(index);
-        return index;
-    }
-
-private:
-    static std::uint64_t key(std::int64_t column, std::int64_t row) {
-        return static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(row);
-    }
-    int in_cell(std::int64_t column, std::int64_t row, Vec2 const& point) const {
-        auto const cell = cells_.find(key(column, row));
-        if (cell == cells_.end()) return -1;
-        for (int const vertex : cell->second)
-            if (geometry::length(vertices_[vertex].point - point) <= vertex_reach) return vertex;
-        return -1;
-    }
-
-    std::vector<Vertex>& vertices_;
-    std::unordered_map<std::uint64_t, std::vector<int>> cells_;
-};
-
 void sort_spokes(Vertex& vertex) {
     std::stable_sort(vertex.spokes.begin(), vertex.spokes.end(),
                      [](Spoke const& a, Spoke const& b) { return angle_of(a.direction) < angle_of(b.direction); });
@@ -74,9 +40,21 @@ void set_cone(Vertex& vertex) {
         if (to - from - pi > widest) {
             widest = to - from - pi;
             vertex.cone_high = to - pi / 2;
+            vertex.first_edge = vertex.spokes[i].direction;
+            vertex.last_edge = vertex.spokes[(i + 1) % count].direction;
         }
     }
     vertex.cone_width = widest > flat_cone ? widest : 0;
+}
+
+// Of all its pieces, so that no order matters.
+void set_material(Terrain const& terrain, Vertex& vertex) {
+    for (std::size_t i = 0; i < vertex.spokes.size(); ++i) {
+        Piece const& piece = terrain.pieces[vertex.spokes[i].piece];
+        if (i == 0) vertex.material = piece.material, vertex.surface = piece.surface;
+        take_over(vertex.material, piece.material);
+        vertex.surface = std::min(vertex.surface, piece.surface);
+    }
 }
 
 Track line_track(Segment const& segment, int side, double radius) {
@@ -115,49 +93,48 @@ Track vertex_track(Vertex const& vertex, double radius) {
 
 }  // namespace
 
-Terrain terrain_of(std::vector<Piece> pieces) {
+void take_over(Material& material, Material const& other) {
+    material.friction = std::max(material.friction, other.friction);
+    material.restitution = std::max(material.restitution, other.restitution);
+    material.rolling_resistance = std::max(material.rolling_resistance, other.rolling_resistance);
+}
+
+Terrain terrain_of(std::vector<Piece> drawn) {
+    MergedPieces all = merged(std::move(drawn));
     Terrain terrain;
-    // What has no length has neither a tangent nor a side to touch.
-    std::erase_if(pieces, [](Piece const& piece) { return !(geometry::length_of(piece.curve) > 0); });
-    terrain.pieces = std::move(pieces);
-    auto const count = terrain.pieces.size();
-    terrain.start_vertex.assign(count, -1);
-    terrain.end_vertex.assign(count, -1);
-    VertexFinder finder(terrain.vertices);
+    terrain.pieces = std::move(all.pieces);
+    terrain.start_vertex = std::move(all.start);
+    terrain.end_vertex = std::move(all.end);
+    for (Vec2 const& point : all.points) {
+        terrain.vertices.emplace_back();
+        terrain.vertices.back().point = point;
+    }
     std::vector<geometry::Curve> curves;
-    curves.reserve(count);
-    for (int i = 0; i < static_cast<int>(count); ++i) {
+    curves.reserve(terrain.pieces.size());
+    for (int i = 0; i < static_cast<int>(terrain.pieces.size()); ++i) {
         geometry::Curve const& curve = terrain.pieces[i].curve;
         curves.push_back(curve);
         terrain.bounds = united(terrain.bounds, geometry::box_of(curve));
-        if (is_whole_circle(curve)) continue;
-        terrain.start_vertex[i] = finder.at(geometry::start_of(curve));
-        terrain.end_vertex[i] = finder.at(geometry::end_of(curve));
+        if (terrain.start_vertex[i] < 0) continue;
         terrain.vertices[terrain.start_vertex[i]].spokes.push_back({i, true, geometry::tangent_at_start(curve)});
         terrain.vertices[terrain.end_vertex[i]].spokes.push_back({i, false, -geometry::tangent_at_end(curve)});
     }
     for (Vertex& vertex : terrain.vertices) {
         sort_spokes(vertex);
         set_cone(vertex);
+        set_material(terrain, vertex);
     }
     terrain.tree = geometry::BoxTree(std::span<geometry::Curve const>(curves));
     return terrain;
 }
 
-namespace {
-int first_piece_of(Terrain const& terrain, int feature) {
-    if (!terrain.is_vertex(feature)) return feature;
-    int first = terrain.vertex(feature).spokes.front().piece;
-    for (Spoke const& spoke : terrain.vertex(feature).spokes) first = std::min(first, spoke.piece);
-    return first;
-}
-}  // namespace
-
 Material const& material_of(Terrain const& terrain, int feature) {
-    return terrain.pieces[first_piece_of(terrain, feature)].material;
+    return terrain.is_vertex(feature) ? terrain.vertex(feature).material : terrain.pieces[feature].material;
 }
 
-int surface_of(Terrain const& terrain, int feature) { return terrain.pieces[first_piece_of(terrain, feature)].surface; }
+int surface_of(Terrain const& terrain, int feature) {
+    return terrain.is_vertex(feature) ? terrain.vertex(feature).surface : terrain.pieces[feature].surface;
+}
 
 bool exposes(Vertex const& vertex, Vec2 const& normal) {
     if (vertex.cone_width == 0) return false;
@@ -170,7 +147,7 @@ bool fits(Terrain const& terrain, Contact contact, double radius) {
     if (terrain.is_vertex(contact.feature)) return true;
     auto const* arc = std::get_if<Arc>(&terrain.pieces[contact.feature].curve);
     bool const inside = arc != nullptr && (contact.side > 0) == (arc->sweep > 0);
-    return !inside || arc->radius > radius * (1 + 1e-9);
+    return !inside || arc->radius > radius + socket_play;
 }
 
 Track track_of(Terrain const& terrain, Contact contact, double radius) {

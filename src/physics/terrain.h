@@ -36,6 +36,9 @@ struct Vertex {
     std::vector<Spoke> spokes;  // counter-clockwise by direction
     double cone_high = 0;       // rad: exposed directions run clockwise from here,
     double cone_width = 0;      // rad: this far; 0 on flat and concave joints
+    Vec2 first_edge = Vec2::UnitX(), last_edge = Vec2::UnitX();  // the spokes at both sides of what is exposed
+    Material material{};        // the greatest of each number among its pieces'
+    int surface = 0;            // the first among its pieces'
 };
 
 // Features are counted pieces first, then vertices.
@@ -51,14 +54,15 @@ struct Terrain {
     int feature_of_vertex(int vertex) const { return static_cast<int>(pieces.size()) + vertex; }
 };
 
-// Ends within `vertex_reach` of each other become one vertex; the ends themselves stay where they were drawn.
+// Ends within `vertex_reach` of each other become one vertex, and chains of such ends too: terrain_merge.h.
 inline constexpr double vertex_reach = 1e-6;  // m, formats.md section 3
 // Turns of the tangent below this are joints, at which the speed is kept; above it they are corners.
 inline constexpr double joint_turn = 1e-3;  // rad, formats.md section 3
 
-Terrain terrain_of(std::vector<Piece> pieces);
+Terrain terrain_of(std::vector<Piece> drawn);
 
-// A vertex takes its material and its name from its first piece in the order of the file.
+// Where surfaces lie on each other or meet, the greatest of each of their numbers counts.
+void take_over(Material& material, Material const& other);
 Material const& material_of(Terrain const& terrain, int feature);
 int surface_of(Terrain const& terrain, int feature);
 
@@ -90,7 +94,9 @@ struct Track {
     double length = 0;           // q runs from 0 to length
     bool closed = false;         // a whole circle: q has no ends
 };
-// A concave arc no wider than the ball has no track: fits() says so.
+// A concave arc no wider than the ball, or wider by less than this, has no track: fits() says so. A ball at the centre of
+// such an arc touches all of it, as in a socket.
+inline constexpr double socket_play = 1e-8;  // m
 bool fits(Terrain const& terrain, Contact contact, double radius);
 Track track_of(Terrain const& terrain, Contact contact, double radius);
 

@@ -102,29 +102,17 @@ TrackEnd end_of(Terrain const& terrain, Contact contact, Track const& track, dou
     return end_of_piece(terrain, contact, track, radius, direction);
 }
 
-// What the ball is on, and what it will go on to smoothly, is not in its way.
-Skipped own_features(Terrain const& terrain, Contact contact, TrackEnds const& ends) {
-    Skipped skipped;
-    std::size_t n = 0;
-    skipped.features[n++] = contact.feature;
-    if (terrain.is_vertex(contact.feature)) {
-        for (TrackEnd const& p : {ends.low, ends.high})
-            if (p.kind == EndKind::joint) skipped.features[n++] = p.next.feature;
-        return skipped;
-    }
-    int const vertices[] = {terrain.start_vertex[contact.feature], terrain.end_vertex[contact.feature]};
-    for (int const vertex : vertices)
-        if (vertex >= 0) skipped.features[n++] = terrain.feature_of_vertex(vertex);
-    for (TrackEnd const& p : {ends.low, ends.high})
-        if (p.kind == EndKind::joint) skipped.features[n++] = p.next.feature;
-    return skipped;
+Obstacle obstacle_on(Terrain const& terrain, Track const& track, double q, double radius, int direction, double until,
+                     int own) {
+    if (!track.straight) return first_contact(terrain, track, q, direction, radius, until, own);
+    Parabola const path{position_at(track, q), direction * track.along, Vec2::Zero()};
+    return first_contact(terrain, path, radius, until, own);
 }
 
-Obstacle obstacle_on(Terrain const& terrain, Track const& track, double q, double radius, int direction, double until,
-                     Skipped const& skipped) {
-    if (!track.straight) return first_obstacle(terrain, track, q, direction, radius, until, skipped);
-    Parabola const path{position_at(track, q), direction * track.along, Vec2::Zero()};
-    return first_obstacle(terrain, path, radius, until, no_contact, skipped);
+// Where the track goes on, what is met at its very end, as near as ends are told apart, is what it goes on to.
+bool is_passed_at(TrackEnd const& end, Obstacle const& obstacle, double until) {
+    bool const goes_on = end.kind == EndKind::joint || end.kind == EndKind::corner;
+    return goes_on && obstacle.contact == end.next && obstacle.time >= until - 8 * touch_reach;
 }
 
 }  // namespace
@@ -132,13 +120,12 @@ Obstacle obstacle_on(Terrain const& terrain, Track const& track, double q, doubl
 TrackEnds ends_of_track(Terrain const& terrain, Contact contact, Track const& track, double q, double radius) {
     TrackEnds ends{end_of(terrain, contact, track, radius, towards_low),
                    end_of(terrain, contact, track, radius, towards_high)};
-    Skipped const skipped = own_features(terrain, contact, ends);
     double const whole_turn = 2 * pi * track.rho;
     for (int const direction : {towards_low, towards_high}) {
         TrackEnd& end = direction == towards_low ? ends.low : ends.high;
         double const until = track.closed ? whole_turn : std::max(0.0, direction * (end.q - q));
-        Obstacle const found = obstacle_on(terrain, track, q, radius, direction, until, skipped);
-        if (found.time > until || found.contact.feature < 0) continue;
+        Obstacle const found = obstacle_on(terrain, track, q, radius, direction, until, contact.feature);
+        if (found.time > until || is_passed_at(end, found, until)) continue;
         end = {EndKind::wall, q + direction * found.time, found.contact, 0};
     }
     return ends;

@@ -1,7 +1,7 @@
 // Track ends: what lies at the ends of a ball's track, and how far along it the ball can go.
 #pragma once
 
-#include "physics/sweep.h"
+#include "physics/first_contact.h"
 #include "physics/terrain.h"
 
 namespace physics {

@@ -1,0 +1,169 @@
+#include "physics/contacts_at.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/elementary.h"
+
+namespace physics {
+
+using geometry::Arc;
+using geometry::dot;
+using geometry::Segment;
+
+namespace {
+
+// Along the surface, nearer than this to a feature's end a ball is at it. m
+constexpr double end_zone = touch_reach;
+// Normals nearer than this are one.
+constexpr double same_normal = 1e-9;
+// Between the supports that stand for a socket. rad
+constexpr double socket_spacing = geometry::pi / 6;
+
+// `outwards` points out of the feature at an end of it that lies `within` metres ahead.
+void mark_end(Support& support, Vec2 const& outwards, double within) {
+    if (within > end_zone) return;
+    bool const forwards = dot(outwards, geometry::turned_right(support.normal)) > 0;
+    (forwards ? support.ends_forwards : support.ends_backwards) = true;
+}
+
+class Finder {
+public:
+    Finder(Terrain const& terrain, Vec2 const& centre, double radius)
+        : terrain_(terrain), centre_(centre), radius_(radius) {}
+
+    void look_at(int index) {
+        if (auto const* segment = std::get_if<Segment>(&terrain_.pieces[index].curve))
+            look_at_segment(index, *segment);
+        else
+            look_at_arc(index, std::get<Arc>(terrain_.pieces[index].curve));
+        look_at_end(index, terrain_.start_vertex[index]);
+        look_at_end(index, terrain_.end_vertex[index]);
+    }
+
+    std::vector<Support> supports;
+
+private:
+    void look_at_segment(int index, Segment const& segment) {
+        Vec2 const way = segment.end - segment.start;
+        double const span = geometry::length(way);
+        Vec2 const along = way / span, left = geometry::turned_left(along);
+        double const foot = dot(centre_ - segment.start, along), height = dot(centre_ - segment.start, left);
+        if (foot < -touch_reach || foot > span + touch_reach || std::abs(std::abs(height) - radius_) > touch_reach) return;
+        int const side = height > 0 ? 1 : -1;
+        Support support{{index, side}, side * left};
+        mark_end(support, -along, foot);
+        mark_end(support, along, span - foot);
+        supports.push_back(support);
+    }
+
+    void look_at_arc(int index, Arc const& arc) {
+        Vec2 const out = centre_ - arc.centre;
+        double const distance = geometry::length(out), room = arc.radius - radius_;
+        int const inner_side = arc.sweep > 0 ? 1 : -1;
+        if (std::abs(room) <= socket_play && distance <= std::max(0.0, room) + touch_reach)
+            return fill_socket(index, arc, inner_side);
+        if (distance == 0 || !is_over(index, arc, out, distance)) return;
+        if (std::abs(distance - arc.radius - radius_) <= touch_reach)
+            add_on_arc(index, arc, {{index, -inner_side}, out / distance, 1 / distance}, distance);
+        else if (std::abs(room - distance) <= touch_reach && fits(terrain_, {index, inner_side}, radius_))
+            add_on_arc(index, arc, {{index, inner_side}, -out / distance, -1 / distance}, distance);
+    }
+
+    // Past the ends of the arc, in m at the ball's centre; negative before them.
+    static double past_start(Arc const& arc, Vec2 const& out) { return -dot(out, geometry::tangent_at_start(arc)); }
+    static double past_end(Arc const& arc, Vec2 const& out) { return dot(out, geometry::tangent_at_end(arc)); }
+
+    bool is_over(int index, Arc const& arc, Vec2 const& out, double distance) const {
+        if (terrain_.start_vertex[index] < 0) return true;
+        double const reach = touch_reach * distance / arc.radius;
+        bool const after_start = past_start(arc, out) <= reach, before_end = past_end(arc, out) <= reach;
+        return std::abs(arc.sweep) > geometry::pi ? after_start || before_end : after_start && before_end;
+    }
+
+    void add_on_arc(int index, Arc const& arc, Support support, double distance) {
+        if (terrain_.start_vertex[index] >= 0) {
+            double const scale = arc.radius / distance;
+            Vec2 const out = centre_ - arc.centre;
+            Vec2 const start = geometry::tangent_at_start(arc), end = geometry::tangent_at_end(arc);
+            bool const near_start = dot(out, geometry::start_of(arc) - arc.centre) > 0;
+            bool const near_end = dot(out, geometry::end_of(arc) - arc.centre) > 0;
+            if (near_start) mark_end(support, -start, -past_start(arc, out) * scale);
+            if (near_end) mark_end(support, end, -past_end(arc, out) * scale);
+        }
+        supports.push_back(support);
+    }
+
+    void fill_socket(int index, Arc const& arc, int inner_side) {
+        int const count = static_cast<int>(std::ceil(std::abs(arc.sweep) / socket_spacing));
+        for (int i = 0; i <= count; ++i) {
+            auto const [sine, cosine] = geometry::sine_cosine(arc.from + arc.sweep * i / count);
+            supports.push_back({{index, inner_side}, Vec2(-cosine, -sine)});
+        }
+    }
+
+    void look_at_end(int index, int vertex) {
+        if (vertex < 0 || terrain_.vertices[vertex].spokes.front().piece != index) return;
+        Vertex const& v = terrain_.vertices[vertex];
+        Vec2 const out = centre_ - v.point;
+        double const distance = geometry::length(out);
+        if (v.cone_width == 0 || std::abs(distance - radius_) > touch_reach) return;
+        Support support{{terrain_.feature_of_vertex(vertex), 1}, out / distance, 1 / distance};
+        for (Vec2 const& edge : {v.first_edge, v.last_edge}) {
+            double const past = dot(support.normal, edge) * radius_;
+            if (past > touch_reach) return;
+            mark_end(support, edge, -past);
+        }
+        supports.push_back(support);
+    }
+
+    Terrain const& terrain_;
+    Vec2 const& centre_;
+    double radius_;
+};
+
+double second_derivative(Support const& support, Vec2 const& velocity, Vec2 const& acceleration) {
+    double const along = geometry::wedge(velocity, support.normal);
+    return dot(acceleration, support.normal) + support.curvature * along * along;
+}
+
+}  // namespace
+
+std::vector<Support> contacts_at(Terrain const& terrain, Vec2 const& centre, double radius) {
+    Finder finder(terrain, centre, radius);
+    terrain.tree.each_near(geometry::stroke_of(centre, centre, radius + touch_reach),
+                           [&](int piece) { finder.look_at(piece); });
+    std::stable_sort(finder.supports.begin(), finder.supports.end(),
+                     [](Support const& a, Support const& b) { return a.contact.feature < b.contact.feature; });
+    return std::move(finder.supports);
+}
+
+bool is_left_behind(Support const& support, Vec2 const& velocity, Vec2 const& acceleration, double rounding) {
+    Vec2 const tangent = geometry::turned_right(support.normal);
+    double const speed = dot(velocity, tangent), pull = dot(acceleration, tangent);
+    double const way = std::abs(speed) > rounding ? speed : pull;
+    return (way > 0 && support.ends_forwards) || (way < 0 && support.ends_backwards);
+}
+
+std::vector<Support> kept_apart(std::vector<Support> const& all, Vec2 const& velocity, Vec2 const& acceleration,
+                                double rounding) {
+    std::vector<Support> chosen;
+    auto const better = [&](Support const& a, Support const& b) {
+        bool const a_behind = is_left_behind(a, velocity, acceleration, rounding);
+        bool const b_behind = is_left_behind(b, velocity, acceleration, rounding);
+        if (a_behind != b_behind) return b_behind;
+        return second_derivative(a, velocity, acceleration) < second_derivative(b, velocity, acceleration);
+    };
+    for (Support const& support : all) {
+        auto const same = std::find_if(chosen.begin(), chosen.end(), [&](Support const& other) {
+            return geometry::length(other.normal - support.normal) <= same_normal;
+        });
+        if (same == chosen.end())
+            chosen.push_back(support);
+        else if (better(support, *same))
+            *same = support;
+    }
+    return chosen;
+}
+
+}  // namespace physics
