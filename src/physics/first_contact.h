@@ -1,6 +1,9 @@
 // First contact: what terrain a ball meets first, in flight or along a track.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "physics/leg.h"
 #include "physics/terrain.h"
 
@@ -10,9 +13,17 @@ namespace physics {
 inline constexpr double touch_reach = 1e-9;
 
 // Rates of a gap below this share of the speeds, and its second derivatives below this share of the accelerations, are
-// rounding. The flight's and the contact's judgement share them.
+// rounding; and so is what the rounding of the place itself makes of the normal's direction.
 inline constexpr double rate_rounding = 1e-12;
 inline constexpr double bend_rounding = 1e-13;
+inline double place_rounding(Vec2 const& centre, double radius) {
+    return 4.5e-16 * std::max(std::abs(centre.x()), std::abs(centre.y())) / radius;
+}
+// The speed along a normal below which a ball neither closes nor parts, m/s. A search for contacts is twice as lenient as
+// the judgement of a contact: what the one finds to close, the other does too.
+inline double still_speed(Vec2 const& centre, double radius, double speed, double pull) {
+    return (rate_rounding + place_rounding(centre, radius)) * (speed + std::sqrt(pull * radius));
+}
 
 // c(t) = position + velocity t + acceleration t^2 / 2.
 struct Parabola {

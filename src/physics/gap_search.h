@@ -70,12 +70,13 @@ private:
     Stand begin(std::array<double, N>& gap, double metre, double t, double bend) const {
         if (gap[0] > touch_reach * metre) return Stand::open;
         double const speed = path_.speed(t), pull = path_.pull(t);
-        double const still = rate_rounding * (speed + std::sqrt(pull * radius_)) * metre;
+        double const still = 2 * still_speed(path_.at(t), radius_, speed, pull) * metre;
         if (gap[1] < -still) return Stand::met;
         if (gap[0] < 0 && gap[0] >= -touch_reach * metre) gap[0] = 0;
         if (gap[1] > still) return Stand::opens;
         gap[1] = 0;
-        if (N > 2 && std::abs(gap[2]) <= bend_rounding * (pull + speed * speed * bend) * metre) gap[2] = 0;
+        double const straight = bend_rounding + place_rounding(path_.at(t), radius_);
+        if (std::abs(gap[2]) <= straight * (pull + speed * speed * bend) * metre) gap[2] = 0;
         if (gap[2] < 0) return Stand::met;
         return Stand::opens;
     }

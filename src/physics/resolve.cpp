@@ -21,6 +21,8 @@ constexpr double rounding_share = 1e-12;
 constexpr int most_blows = 200;
 // Normals nearer than this to parallel leave a ball free to move along both surfaces.
 constexpr double parallel = 1e-9;
+// Forces below this share of the field are rounding.
+constexpr double hold_rounding = 1e-12;
 // Normals nearer than this to opposite do not hold what lies between them.
 constexpr double opposite_normals = 4e-9;
 
@@ -41,6 +43,7 @@ struct Struck {
     std::vector<Support> supports;  // of what shares a normal the one that counts
     Contact known;  // that the caller says is touched
     std::vector<Turnout::Happening> blows;
+    double still = 0;                    // m/s: slower than this along a normal it neither closes nor parts
     double rounding = 0;                 // m/s: slower than this, after what happens here, is not moving
     std::optional<Vec2> gripped;         // the normal at which an impact stopped the slip, if nothing came after
 };
@@ -76,7 +79,7 @@ std::vector<std::size_t> closing_supports(Struck const& struck) {
     std::vector<std::size_t> closing;
     auto const speed = [&](std::size_t i) { return dot(struck.state.velocity, struck.supports[i].normal); };
     for (std::size_t i = 0; i < struck.supports.size(); ++i)
-        if (speed(i) < -struck.rounding) closing.push_back(i);
+        if (speed(i) < -struck.still) closing.push_back(i);
     std::stable_sort(closing.begin(), closing.end(), [&](std::size_t i, std::size_t j) { return speed(i) < speed(j); });
     return closing;
 }
@@ -131,7 +134,7 @@ Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
 // How fast the ball leaves the support, if so slowly that its bounces are summed (physics.md 2.13); nothing if it flies.
 std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::size_t i) {
     double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
-    if (normal_speed <= struck.rounding) return 0;
+    if (normal_speed <= struck.still) return 0;
     // What drives a ball against the end of its track may be friction, of which the pressing field does not tell.
     bool const known = struck.supports[i].contact == struck.known;
     if (known && struck.blows.empty() && normal_speed <= sway_speed(setting, struck.state)) return 0;
@@ -171,6 +174,12 @@ Hold hold_of(Setting const& setting, State const& state, Support const& a, Suppo
     return {geometry::wedge(load, q) / span, geometry::wedge(p, load) / span};
 }
 
+// Neither support would have to pull: a force that is rounding is none.
+bool holds(Setting const& setting, State const& state, Hold const& hold) {
+    double const least = -hold_rounding * geometry::length(acceleration_in(setting.field, state.position, Vec2::Zero()));
+    return hold.first >= least && hold.second >= least;
+}
+
 // A standing ball between two supports that hold it: at rest, or spinning until friction has stopped it
 // (physics.md 2.12).
 std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept,
@@ -190,7 +199,7 @@ std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std:
             bool const grips_fully = std::isinf(mu_a) || std::isinf(mu_b);
             if (grips_fully || !spins) state.spin = 0;
             Hold const hold = hold_of(setting, state, a, b, grips_fully ? 0 : slip_sign);
-            if (!(hold.first >= 0 && hold.second >= 0)) continue;
+            if (!holds(setting, state, hold)) continue;
             double const rim_rate =
                 grips_fully ? 0 : slip_sign * (mu_a * hold.first + mu_b * hold.second) / setting.ball.inertia;
             Turnout turnout;
@@ -216,6 +225,13 @@ Vec2 past_opposites(Setting const& setting, Struck const& struck, std::vector<st
     return Vec2::Zero();
 }
 
+bool presses(Setting const& setting, Struck const& struck, std::size_t i) {
+    Support const& support = struck.supports[i];
+    if (fits(setting.terrain, support.contact, setting.ball.radius))
+        return is_pressed(setting, rider_on(setting, struck, i));
+    return dot(acceleration_in(setting.field, struck.state.position, struck.state.velocity), support.normal) < 0;
+}
+
 // No way out: the ball jams if anything presses on it, else it flies.
 Turnout stuck(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
     Turnout turnout;
@@ -227,7 +243,7 @@ Turnout stuck(Setting const& setting, Struck const& struck, std::vector<std::siz
         return turnout;
     }
     for (std::size_t const i : kept) {
-        if (!is_pressed(setting, rider_on(setting, struck, i))) continue;
+        if (!presses(setting, struck, i)) continue;
         state.velocity = Vec2::Zero();
         state.spin = 0;
         turnout.course = standing_course(state, struck.supports[i].contact, 0, time);
@@ -304,8 +320,12 @@ void choose_supports(Setting const& setting, Struck& struck) {
 Struck struck_at(Setting const& setting, State const& state, Contact known) {
     double const rounding =
         rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
-    Struck struck{state, contacts_at(setting.terrain, state.position, setting.ball.radius), {}, known, {}, rounding,
-                  std::nullopt};
+    double const pull = geometry::length(acceleration_in(setting.field, state.position, state.velocity));
+    double const still = still_speed(state.position, setting.ball.radius, geometry::length(state.velocity), pull);
+    Struck struck{state, contacts_at(setting.terrain, state.position, setting.ball.radius),
+                  {},    known,
+                  {},    still,
+                  rounding, std::nullopt};
     bool const found = std::any_of(struck.touched.begin(), struck.touched.end(),
                                    [&](Support const& s) { return s.contact == known; });
     if (known.feature >= 0 && !found && fits(setting.terrain, known, setting.ball.radius)) {

@@ -25,11 +25,12 @@ struct Wishes {
     double seconds = 0;                 // s, how long to go on from `from`; 0: up to `to`
     std::size_t jobs = 1;
     std::string method = "exact";
+    bool cut = true;     // what is written
     std::string folder;  // where what fails is written, cut down; empty: nowhere
 };
 
 char const usage[] =
-    "hunter [--kind KIND]... [--seeds FROM TO] [--for SECONDS] [--jobs N] [--method exact|steps] [--write FOLDER]";
+    "hunter [--kind KIND]... [--seeds FROM TO] [--for SECONDS] [--jobs N] [--method exact|steps] [--write FOLDER] [--uncut]";
 
 std::uint64_t whole_number(std::string const& text) {
     std::size_t used = 0;
@@ -56,6 +57,8 @@ Wishes wishes_in(std::vector<std::string> const& words) {
             wishes.jobs = std::max<std::size_t>(1, whole_number(value()));
         } else if (words[i] == "--method") {
             wishes.method = value();
+        } else if (words[i] == "--uncut") {
+            wishes.cut = false;
         } else if (words[i] == "--write") {
             wishes.folder = value();
         } else {
@@ -142,7 +145,7 @@ Chase chase(std::string const& kind, std::uint64_t seed, Wishes const& wishes) {
                 hunt::Sketch const sketch = hunt::sketch_of(kind, seed);
                 hunt::Verdict const verdict = hunt::judged(sketch, method_of(wishes), hunt::Clock::judged);
                 if (!verdict.findings.empty() && !wishes.folder.empty())
-                    write(cut_down(sketch, verdict.findings.front(), method_of(wishes)), wishes,
+                    write(wishes.cut ? cut_down(sketch, verdict.findings.front(), method_of(wishes)) : sketch, wishes,
                           kind + "-" + std::to_string(seed));
                 return verdict;
             })};
