@@ -61,7 +61,7 @@ private:
         Vec2 const out = centre_ - arc.centre;
         double const distance = geometry::length(out), room = arc.radius - radius_;
         int const inner_side = arc.sweep > 0 ? 1 : -1;
-        if (std::abs(room) <= socket_play && distance <= std::max(0.0, room) + touch_reach)
+        if (std::abs(room) <= socket_play && distance <= std::max(0.0, room) + socket_play)
             return fill_socket(index, arc, inner_side);
         if (distance == 0 || !is_over(index, arc, out, distance)) return;
         if (std::abs(distance - arc.radius - radius_) <= touch_reach)

@@ -21,6 +21,7 @@ struct Setting {
     Terrain const& terrain;
     Ball const& ball;
     Field field;
+    bool crowded = false;  // bounces have crowded just before: exact.h
 };
 
 // A ball on its track.
@@ -35,8 +36,13 @@ struct Rider {
 };
 State state_of(Setting const& setting, Rider const& rider);
 
-// A hop lower than this many radii is not seen.
+// A hop lower than this many radii is not seen; nor is, on a straight track where gravity alone acts and the sum of the
+// bounces to come is exact, one lower than the second.
 inline constexpr double lowest_hop = 1e-13;
+inline constexpr double lowest_hop_of_sums = 1e-10;
+// Where bounces crowd, a hop under a pull that takes less than this is none: with restitution near 1 such hops would
+// go on without end or use.
+inline constexpr double shortest_hop = 2e-5;  // s
 // The speed with which a ball in this field does not get farther than the lowest hop, m/s.
 double sway_speed(Setting const& setting, State const& state);
 
@@ -84,5 +90,7 @@ Course standing_course(State const& state, Contact contact, double spin_rate, do
 // The rest of a bounce sequence on one contact in closed form, from a take-off at normal speed `hop` so low that it
 // is not seen: the sum of infinitely many hops (physics.md 2.13).
 Course settling_course(Setting const& setting, Rider const& rider, double hop, double since);
+// Whether that sum is exact however high the hop: where the field is constant, and all bounces stick or all slip.
+bool sums_exactly(Setting const& setting, Rider const& rider, double hop);
 
 }  // namespace physics

@@ -108,17 +108,43 @@ Course line_course(Setting const& setting, Rider const& rider, Law const& law, T
     return SwingingLine(setting, rider, law).course(ends, since);
 }
 
-Course settling_course(Setting const& setting, Rider const& rider, double hop, double since) {
+namespace {
+
+// The bounces to come, seen as a whole: how long they take, and whether they end the slip.
+struct Bounces {
+    double span = 0;   // s
+    double grip = 0;   // friction against the pressing force, in the mean
+    bool slide = false;  // all of them slip
+};
+Bounces bounces_after(Setting const& setting, Rider const& rider, double hop) {
     Material const& material = material_of(setting.terrain, rider.contact.feature);
-    double const e = material.restitution;
+    double const e = material.restitution, k = setting.ball.inertia, pressing = normal_force(setting, rider);
+    Bounces bounces;
+    bounces.span = e < 1 ? 2 * hop / (pressing * (1 - e)) : 0;
+    // Under a pull the field does not stay the same for longer.
+    if (setting.field.pulled && bounces.span > 8 * shortest_hop) bounces.span = 0;
+    bounces.grip = material.friction * (1 + e) / 2;
+    // The slip that friction could take away in all the bounces that are left, against the slip there is.
+    double const slip_end = std::abs(rider.slip()) - bounces.span * ((1 + 1 / k) * bounces.grip * pressing);
+    bounces.slide = rider.slip() != 0 && slip_end > 0;
+    return bounces;
+}
+
+}  // namespace
+
+bool sums_exactly(Setting const& setting, Rider const& rider, double hop) {
+    if (!rider.track.straight || setting.field.pulled) return false;
+    double const k = setting.ball.inertia, pressing = normal_force(setting, rider);
+    Bounces const bounces = bounces_after(setting, rider, hop);
+    if (rider.slip() != 0) return bounces.slide;
+    return k / (1 + k) * std::abs(tangent_acceleration(setting, rider)) <= bounces.grip * pressing;
+}
+
+Course settling_course(Setting const& setting, Rider const& rider, double hop, double since) {
     double const k = setting.ball.inertia;
     double const pressing = normal_force(setting, rider);
     double const a = tangent_acceleration(setting, rider);
-    double const span = e < 1 ? 2 * hop / (pressing * (1 - e)) : 0;
-    double const grip = material.friction * (1 + e) / 2;
-    // The slip that friction could take away in all the bounces that are left, against the slip there is.
-    double const slip_end = std::abs(rider.slip()) - span * ((1 + 1 / k) * grip * pressing);
-    bool const slides = rider.slip() != 0 && slip_end > 0;
+    auto const [span, grip, slides] = bounces_after(setting, rider, hop);
     double const sign = rider.slip() > 0 ? 1 : -1;
     Rider end = rider;
     double const acceleration = slides ? a - grip * pressing * sign : a / (1 + k);

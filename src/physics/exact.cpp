@@ -70,7 +70,10 @@ private:
         std::iota(all.begin(), all.end(), 0);
         return all;
     }
-    Setting setting(int i) const { return {scene_.terrain, scene_.balls[i], field_on(scene_, world_.forces, i)}; }
+    Setting setting(int i) const {
+        bool const crowded = count() == 1 && world_.outlooks[i].watch_count > crowd_events;
+        return {scene_.terrain, scene_.balls[i], field_on(scene_, world_.forces, i), crowded};
+    }
 
     // Phase changes before hits, lower balls first (physics.md 3.4).
     Next soonest() const {
@@ -94,6 +97,7 @@ private:
     // Makes a turnout the ball's present.
     void take(int i, Turnout const& turnout, double time) {
         Course const& course = turnout.course;
+        if (getenv("SMB_DBG")) { State st = at(course.leg, time); fprintf(stderr, "DBG %.17g ph %d con %d,%d end %d dur %.3g next %d,%d p %.12g %.12g v %.6g %.6g w %.4g hap", time, int(course.leg.phase), course.leg.contact.feature, course.leg.contact.side, int(course.ending), course.duration, course.next.feature, course.next.side, st.position.x(), st.position.y(), st.velocity.x(), st.velocity.y(), st.spin); for (auto& h : turnout.happenings) fprintf(stderr, " %d@%d", int(h.kind), h.contact.feature); fprintf(stderr, "\n"); } // DBG
         Trail<Leg>& legs = history_.legs[i];
         // A leg that lasted no time leaves no trace; one that goes on is the same leg, known further ahead.
         if (!legs.empty() && legs.back().since >= course.leg.since) legs.pop_back();
@@ -121,14 +125,16 @@ private:
         return ++outlook.watch_count <= watch_events;
     }
 
-    // Whether events follow each other without an end to it, though no rule of ours should let them.
+    // Counts the events of a lone ball within short spans: first they crowd, then, though no rule of ours should let them,
+    // they stall.
     bool stalls(int i) {
         Outlook& outlook = world_.outlooks[i];
-        if (world_.time - outlook.watch_since > stall_span) {
-            outlook.watch_since = world_.time;
-            outlook.watch_count = 0;
+        if (world_.time - outlook.stall_since > stall_span) {
+            outlook.stall_since = world_.time;
+            outlook.stall_count = 0;
         }
-        return ++outlook.watch_count > stall_events;
+        if (outlook.ending == Ending::meets || outlook.ending == Ending::settles) watched(i);
+        return ++outlook.stall_count > stall_events;
     }
 
     bool end_leg(int i) {

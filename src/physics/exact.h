@@ -12,9 +12,13 @@ inline constexpr double handover_rate = 240;      // steps/s
 inline constexpr double shortest_handover = 0.1;  // s, before the world is taken back
 inline constexpr double takeover_gap = 0.02;      // of the smaller radius: balls nearer than this are not apart
 inline constexpr double watch_span = 1e-3;        // s; more events than
-inline constexpr double stall_span = 1e-10;  // s; a lone ball with more than
-inline constexpr int stall_events = 100;     // these in that span creeps on (ride.h): it is never handed over
 inline constexpr int watch_events = 1000;  // these in that span for one ball hand the world over (physics.md 3.4)
+
+// A lone ball is never handed over. More bounces than these in the same span crowd (course.h: shortest_hop), and where more
+// events than those fall in so short a span, it creeps on (ride.h).
+inline constexpr int crowd_events = 50;
+inline constexpr double stall_span = 1e-10;  // s
+inline constexpr int stall_events = 100;
 
 void begin_with(Exact const&, Scene const& scene, World& world, History& history);
 void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history);

@@ -95,7 +95,9 @@ private:
             return;
         }
         // A gap that is closed, but not by the ball where it is, must open before it can close.
-        bool const comes_up = gap[0] >= -touch_reach * metre || in_front(0) || rises_to_touch(gap, metre, until);
+        // Into a socket, whose gap never opens, the ball comes past the ends.
+        bool const comes_up = metre < 4 * socket_play || gap[0] >= -touch_reach * metre || in_front(0) ||
+                              rises_to_touch(gap, metre, until);
         if (comes_up) look_through(make_domain(), gap, metre, bend, contact, until, in_front);
     }
 

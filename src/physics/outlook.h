@@ -37,6 +37,8 @@ struct Outlook {
 
     double watch_since = 0;  // s, events are counted from here
     int watch_count = 0;
+    double stall_since = 0;  // s, the same
+    int stall_count = 0;
 };
 
 }  // namespace physics

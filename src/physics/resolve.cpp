@@ -138,8 +138,11 @@ std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::
     // What drives a ball against the end of its track may be friction, of which the pressing field does not tell.
     bool const known = struck.supports[i].contact == struck.known;
     if (known && struck.blows.empty() && normal_speed <= sway_speed(setting, struck.state)) return 0;
-    double const pressing = normal_force(setting, rider_on(setting, struck, i));
-    if (!(normal_speed * normal_speed < 2 * pressing * lowest_hop * setting.ball.radius)) return std::nullopt;
+    Rider const rider = rider_on(setting, struck, i);
+    double const pressing = normal_force(setting, rider);
+    if (setting.crowded && setting.field.pulled && 2 * normal_speed < shortest_hop * pressing) return normal_speed;
+    double const lowest = sums_exactly(setting, rider, normal_speed) ? lowest_hop_of_sums : lowest_hop;
+    if (!(normal_speed * normal_speed < 2 * pressing * lowest * setting.ball.radius)) return std::nullopt;
     return normal_speed;
 }
 
@@ -284,12 +287,15 @@ bool pins(Struck const& struck, std::vector<std::size_t> const& kept) {
 }
 
 // Bounces to and fro between surfaces that are not parallel die out like a geometric series, the speeds along them
-// included: where none of them would be seen any more the ball stands.
+// included: where none of them would be seen any more the ball stands, and where they crowd it does so as soon as they
+// do not leave the reach of touch.
 bool stands_among_several(Setting const& setting, Struck const& struck) {
     std::vector<std::size_t> all(struck.supports.size());
     std::iota(all.begin(), all.end(), 0);
-    return all.size() > 1 && geometry::length(struck.state.velocity) <= 2 * sway_speed(setting, struck.state) &&
-           pins(struck, all);
+    double const pull = geometry::length(acceleration_in(setting.field, struck.state.position, struck.state.velocity));
+    double const height = setting.crowded ? touch_reach : 4 * lowest_hop * setting.ball.radius;
+    double const speed = geometry::length(struck.state.velocity);
+    return all.size() > 1 && speed * speed <= 2 * pull * height && pins(struck, all);
 }
 
 // Along one of several surfaces that a ball keeps to, or else standing: held by them, let go by one of them, or jammed.
