@@ -308,6 +308,16 @@ Turnout among_several(Setting const& setting, Struck& struck, std::vector<std::s
     return stuck(setting, struck, kept, time);
 }
 
+// Whether the sum of bounces ends before the track does, in either direction and with room to spare.
+bool keeps_to_track(Setting const& setting, Rider const& rider, Course const& course) {
+    auto const& motion = std::get<Ballistic>(course.leg.motion);
+    double const way = course.duration * (geometry::length(motion.from.velocity) +
+                                          course.duration * geometry::length(motion.acceleration));
+    if (way == 0) return true;
+    TrackEnds const ends = ends_of_track(setting.terrain, rider.contact, rider.track, rider.q, setting.ball.radius);
+    return rider.q - 2 * way > ends.low.q && rider.q + 2 * way < ends.high.q;
+}
+
 Turnout kept_turnout(Setting const& setting, Struck& struck, std::vector<std::size_t> const& kept, double time) {
     if (kept.size() > 1) return among_several(setting, struck, kept, time);
     double const hop = *hop_on(setting, struck, kept.front());
@@ -315,7 +325,14 @@ Turnout kept_turnout(Setting const& setting, Struck& struck, std::vector<std::si
     if (hop == 0) return ride_from(setting, rider, time);
     Turnout turnout;
     turnout.course = settling_course(setting, rider, hop, time);
-    return turnout;
+    if (keeps_to_track(setting, rider, turnout.course)) return turnout;
+    // Where it would run off or into something before the last bounce, it bounces on, or, if that is not seen, rides.
+    bool const seen = hop * hop >= 2 * normal_force(setting, rider) * lowest_hop * setting.ball.radius;
+    if (seen && !setting.crowded) {
+        turnout.course = flight_course(setting, struck.state, time);
+        return turnout;
+    }
+    return ride_from(setting, rider, time);
 }
 
 void choose_supports(Setting const& setting, Struck& struck) {
