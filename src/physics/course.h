@@ -21,7 +21,7 @@ struct Setting {
     Terrain const& terrain;
     Ball const& ball;
     Field field;
-    bool crowded = false;  // bounces have crowded just before: exact.h
+    bool crowded = false;  // bounces have crowded just before and end now: restitution counts for nothing (exact.h)
 };
 
 // A ball on its track.
@@ -40,9 +40,6 @@ State state_of(Setting const& setting, Rider const& rider);
 // bounces to come is exact, one lower than the second.
 inline constexpr double lowest_hop = 1e-13;
 inline constexpr double lowest_hop_of_sums = 1e-10;
-// Where bounces crowd, a hop under a pull that takes less than this is none: with restitution near 1 such hops would
-// go on without end or use.
-inline constexpr double shortest_hop = 2e-5;  // s
 // The speed with which a ball in this field does not get farther than the lowest hop, m/s.
 double sway_speed(Setting const& setting, State const& state);
 

@@ -16,6 +16,8 @@ namespace {
 
 // A slip this small, against the speeds of the swing, is rounding.
 constexpr double onset_rounding = 1e-14;
+// Under a pull the field does not stay the same for longer, and the bounces that are left are let go. s
+constexpr double longest_sum = 1e-4;
 
 Course steady_line(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since) {
     double const force = normal_force(setting, rider);
@@ -121,8 +123,7 @@ Bounces bounces_after(Setting const& setting, Rider const& rider, double hop) {
     double const e = material.restitution, k = setting.ball.inertia, pressing = normal_force(setting, rider);
     Bounces bounces;
     bounces.span = e < 1 ? 2 * hop / (pressing * (1 - e)) : 0;
-    // Under a pull the field does not stay the same for longer.
-    if (setting.field.pulled && bounces.span > 8 * shortest_hop) bounces.span = 0;
+    if (setting.field.pulled && bounces.span > longest_sum) bounces.span = 0;
     bounces.grip = material.friction * (1 + e) / 2;
     // The slip that friction could take away in all the bounces that are left, against the slip there is.
     double const slip_end = std::abs(rider.slip()) - bounces.span * ((1 + 1 / k) * bounces.grip * pressing);

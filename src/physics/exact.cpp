@@ -71,8 +71,11 @@ private:
         return all;
     }
     Setting setting(int i) const {
-        bool const crowded = count() == 1 && world_.outlooks[i].watch_count > crowd_events;
-        return {scene_.terrain, scene_.balls[i], field_on(scene_, world_.forces, i), crowded};
+        Field const field = field_on(scene_, world_.forces, i);
+        Outlook const& outlook = world_.outlooks[i];
+        bool const has_a_limit = !field.pulled && !outlook.watch_mixed;
+        bool const crowded = count() == 1 && outlook.watch_count > crowd_events && !has_a_limit;
+        return {scene_.terrain, scene_.balls[i], field, crowded};
     }
 
     // Phase changes before hits, lower balls first (physics.md 3.4).
@@ -121,7 +124,10 @@ private:
         if (world_.time - outlook.watch_since > watch_span) {
             outlook.watch_since = world_.time;
             outlook.watch_count = 0;
+            outlook.watch_contact = outlook.next;
+            outlook.watch_mixed = false;
         }
+        outlook.watch_mixed = outlook.watch_mixed || outlook.next != outlook.watch_contact;
         return ++outlook.watch_count <= watch_events;
     }
 

@@ -14,8 +14,9 @@ inline constexpr double takeover_gap = 0.02;      // of the smaller radius: ball
 inline constexpr double watch_span = 1e-3;        // s; more events than
 inline constexpr int watch_events = 1000;  // these in that span for one ball hand the world over (physics.md 3.4)
 
-// A lone ball is never handed over. More bounces than these in the same span crowd (course.h: shortest_hop), and where more
-// events than those fall in so short a span, it creeps on (ride.h).
+// A lone ball is never handed over. Bounces on one surface under gravity alone have a limit, to which they are summed;
+// others, between two surfaces or under the pull of the spring, end where they crowd: after so many of them within
+// watch_span nothing bounces back. Where more events than stall_events fall in stall_span, the ball creeps on (ride.h).
 inline constexpr int crowd_events = 50;
 inline constexpr double stall_span = 1e-10;  // s
 inline constexpr int stall_events = 100;

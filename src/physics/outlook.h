@@ -37,6 +37,8 @@ struct Outlook {
 
     double watch_since = 0;  // s, events are counted from here
     int watch_count = 0;
+    Contact watch_contact;     // the first that was met, and whether
+    bool watch_mixed = false;  // others were
     double stall_since = 0;  // s, the same
     int stall_count = 0;
 };

@@ -58,7 +58,8 @@ void strike(Setting const& setting, Struck& struck, std::size_t i) {
     Support const& support = struck.supports[i];
     Material const& material = material_of(setting.terrain, support.contact.feature);
     ContactSpeeds const before = speeds_at(setting, struck.state, support.normal);
-    ContactSpeeds const after = after_impact(before, material.restitution, material.friction, setting.ball.inertia);
+    double const restitution = setting.crowded ? 0 : material.restitution;
+    ContactSpeeds const after = after_impact(before, restitution, material.friction, setting.ball.inertia);
     set_speeds(setting, struck.state, support.normal, after);
     struck.gripped = after.slip() == 0 ? std::optional(support.normal) : std::nullopt;
     note_blow(struck, after.normal > 0 ? EventKind::bounce : EventKind::land, support.contact);
@@ -93,15 +94,16 @@ bool strike_both(Setting const& setting, Struck& struck, std::size_t i, std::siz
     Material const& of_b = material_of(setting.terrain, b.contact.feature);
     double const cosine = dot(a.normal, b.normal), sine_square = 1 - cosine * cosine;
     if (sine_square < parallel) return false;
-    double const p = -(1 + of_a.restitution) * dot(struck.state.velocity, a.normal);
-    double const q = -(1 + of_b.restitution) * dot(struck.state.velocity, b.normal);
+    double const e_a = setting.crowded ? 0 : of_a.restitution, e_b = setting.crowded ? 0 : of_b.restitution;
+    double const p = -(1 + e_a) * dot(struck.state.velocity, a.normal);
+    double const q = -(1 + e_b) * dot(struck.state.velocity, b.normal);
     double const push_a = (p - cosine * q) / sine_square, push_b = (q - cosine * p) / sine_square;
     if (push_a < 0 || push_b < 0) return false;
     struck.state.velocity += push_a * a.normal + push_b * b.normal;
     rub(setting, struck.state, a.normal, of_a.friction * push_a);
     rub(setting, struck.state, b.normal, of_b.friction * push_b);
-    note_blow(struck, of_a.restitution > 0 ? EventKind::bounce : EventKind::land, a.contact);
-    note_blow(struck, of_b.restitution > 0 ? EventKind::bounce : EventKind::land, b.contact);
+    note_blow(struck, e_a > 0 ? EventKind::bounce : EventKind::land, a.contact);
+    note_blow(struck, e_b > 0 ? EventKind::bounce : EventKind::land, b.contact);
     struck.gripped.reset();
     return true;
 }
@@ -140,7 +142,6 @@ std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::
     if (known && struck.blows.empty() && normal_speed <= sway_speed(setting, struck.state)) return 0;
     Rider const rider = rider_on(setting, struck, i);
     double const pressing = normal_force(setting, rider);
-    if (setting.crowded && setting.field.pulled && 2 * normal_speed < shortest_hop * pressing) return normal_speed;
     double const lowest = sums_exactly(setting, rider, normal_speed) ? lowest_hop_of_sums : lowest_hop;
     if (!(normal_speed * normal_speed < 2 * pressing * lowest * setting.ball.radius)) return std::nullopt;
     return normal_speed;
@@ -341,9 +342,9 @@ void choose_supports(Setting const& setting, Struck& struck) {
 }
 
 Struck struck_at(Setting const& setting, State const& state, Contact known) {
-    double const rounding =
-        rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin));
     double const pull = geometry::length(acceleration_in(setting.field, state.position, state.velocity));
+    double const rounding = rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin) +
+                                              std::sqrt(pull * setting.ball.radius));
     double const still = still_speed(state.position, setting.ball.radius, geometry::length(state.velocity), pull);
     Struck struck{state, contacts_at(setting.terrain, state.position, setting.ball.radius),
                   {},    known,
