@@ -1,5 +1,6 @@
 #include "physics/course.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace physics {
@@ -139,7 +140,8 @@ Law law_for(Setting const& setting, Rider const& rider, Onset onset) {
     double const a = tangent_acceleration(setting, rider);
     double const force = normal_force(setting, rider);
     double const c = material.rolling_resistance;
-    if (rider.speed == 0 && std::abs(a) <= c * force) {
+    // At rest friction alone holds against the pull, and its couple is at most that of the resistance.
+    if (rider.speed == 0 && std::abs(a) <= std::min(c, material.friction) * force) {
         Law rest;
         rest.phase = Phase::rest;
         return rest;

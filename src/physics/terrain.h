@@ -96,7 +96,7 @@ struct Track {
 };
 // A concave arc no wider than the ball, or wider by less than this, has no track: fits() says so. A ball at the centre of
 // such an arc touches all of it, as in a socket.
-inline constexpr double socket_play = 1e-8;  // m
+inline constexpr double socket_play = 1e-6;  // m, as near as ends are one
 bool fits(Terrain const& terrain, Contact contact, double radius);
 Track track_of(Terrain const& terrain, Contact contact, double radius);
 
