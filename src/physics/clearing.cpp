@@ -133,7 +133,7 @@ std::optional<Hop> next_hop(Clearing const& clearing, Terrain const& terrain, Ba
     double const rounding =
         rounding_share * (std::abs(before.normal) + std::abs(before.tangent) + std::abs(before.rim));
     if (!(before.normal < -rounding && after.normal > rounding)) return std::nullopt;
-    if (!(after.normal * after.normal >= 2 * pressing * lowest_hop * ball.radius)) return std::nullopt;
+    if (!(after.normal * after.normal >= 2 * pressing * lowest_hop_of_sums * ball.radius)) return std::nullopt;
     state.velocity = after.normal * normal + after.tangent * clearing.track.along;
     state.spin = -after.rim / ball.radius;
     Hop const hop{state, 2 * after.normal / pressing};

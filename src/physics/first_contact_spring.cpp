@@ -11,11 +11,14 @@ namespace {
 
 // Of this order the square of the distance to a point has the most terms that a polynomial may have here.
 constexpr int order = (geometry::most_coefficients - 1) / 2;
-// The last term at the end of a window: what is left out is far below it. m
+// The last term at the end of a window: what is left out is far below it. m, and as a share of the path's own size, of
+// which no more is known
 constexpr double truncation = 1e-13;
+constexpr double truncation_share = 1e-16;
 
 struct SwingPath {
     std::array<Vec2, order + 1> terms;  // m, m/s, ...
+    double reach = 0;                   // m, from the equilibrium
 
     SwingPath(SpringFlight const& flight, double from) {
         State const now = state_on(flight, from);
@@ -24,11 +27,13 @@ struct SwingPath {
         terms[1] = now.velocity;
         for (int n = 0; n + 2 <= order; ++n)
             terms[n + 2] = (2 * o.decay * (n + 1) * terms[n + 1] + o.stiffness * terms[n]) / (-1.0 * (n + 1) * (n + 2));
+        reach = geometry::length(terms[0]);
         terms[0] = now.position;
     }
 
     double window() const {
-        return longest_stride<order>(geometry::length(terms[order]), geometry::length(terms[order - 1]), truncation);
+        double const size = truncation + truncation_share * (geometry::length(terms[0]) + reach);
+        return longest_stride<order>(geometry::length(terms[order]), geometry::length(terms[order - 1]), size);
     }
     // How far the path may lie from its chord within t.
     double sagitta(double t) const {
@@ -77,6 +82,8 @@ struct SwingPath {
 Obstacle first_contact(Terrain const& terrain, SpringFlight const& flight, double radius, double from, double until) {
     for (double t = from; t < until;) {
         SwingPath const path(flight, t);
+        // Where squares of lengths are no numbers any more there is nothing to meet.
+        if (!std::isfinite(path.sagitta(1))) break;
         double const window = std::min(path.window(), until - t);
         GapSearch<SwingPath> search(terrain, path, radius, -1);
         geometry::Stroke const stroke =

@@ -146,14 +146,13 @@ TEST_CASE("balls asleep in a row wake one after the other when the first is pres
 
 TEST_CASE("a ball asleep on two others falls when one of them is pulled from under it") {
     Scene scene = floor_with({0, 0.5}, {0, 0});
-    scene.terrain = terrain_of({{Segment{{-100, 0}, {100, 0}}, {}, 0}, {Segment{{-0.5, 0}, {-0.5, 5}}, {}, 0}});
+    Material const rough{0.9, 0, 0.5};
+    scene.terrain = terrain_of({{Segment{{-100, 0}, {100, 0}}, rough, 0}, {Segment{{-0.5, 0}, {-0.5, 5}}, {}, 0}});
     for (Vec2 const& place : {Vec2(1.2, 0.5), Vec2(0.6, 0.5 + 0.8)}) {
         scene.balls.push_back(scene.balls[0]);
         scene.balls.back().start.position = place;
     }
     scene.balls[1].friction = scene.balls[2].friction = 0.9;
-    scene.terrain.pieces[0].material.friction = 0.9;
-    scene.terrain.pieces[0].material.rolling_resistance = 0.5;
     History history;
     World world = world_at_start(Steps{}, scene, history);
     advance(Steps{}, scene, world, 4, history);
