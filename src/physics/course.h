@@ -39,7 +39,7 @@ State state_of(Setting const& setting, Rider const& rider);
 // A hop lower than this many radii is not seen; nor is, on a straight track where gravity alone acts and the sum of the
 // bounces to come is exact, one lower than the second.
 inline constexpr double lowest_hop = 1e-13;
-inline constexpr double lowest_hop_of_sums = 1e-10;
+inline constexpr double lowest_hop_of_sums = 1e-12;
 // The speed with which a ball in this field does not get farther than the lowest hop, m/s.
 double sway_speed(Setting const& setting, State const& state);
 

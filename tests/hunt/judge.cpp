@@ -17,7 +17,7 @@ namespace {
 
 constexpr double rows_per_second = 60;
 constexpr double busy_span = 0.1;                      // s
-constexpr double most_in_span = 50'000 * busy_span;    // events
+constexpr double most_in_span = 100'000 * busy_span;    // events
 constexpr long long enough_events = 300'000;           // of a run that is given up
 constexpr double enough_seconds = 10;                  // s of processor time, the same
 constexpr double most_seconds = 0.5, most_row = 4e-3;  // s of processor time, for 12 s and for a sixtieth

@@ -131,7 +131,12 @@ private:
         if (distance - ball_.radius > limits_.hover) findings_.note(Wrong::hover, distance - ball_.radius, time);
         if (leg.phase != physics::Phase::rest || limits_.hover == no_limit) return;
         auto const feet = feet_within(read_, state.position, ball_.radius + limits_.hover);
-        if (!feet.empty() && !is_held(read_, feet, state.position, pull))
+        // At the centre of an arc of the ball's own radius all of the arc is a foot.
+        bool const in_a_socket = std::any_of(feet.begin(), feet.end(), [&](Foot const& foot) {
+            Limb const& limb = read_[static_cast<std::size_t>(foot.limb)];
+            return limb.round && length(limb.centre - state.position) <= 2 * limits_.hover;
+        });
+        if (!feet.empty() && !in_a_socket && !is_held(read_, feet, state.position, pull))
             findings_.note(Wrong::held, length(pull), time);
     }
 
