@@ -49,9 +49,9 @@ private:
         double const span = geometry::length(way);
         Vec2 const along = way / span, left = geometry::turned_left(along);
         double const foot = dot(centre_ - segment.start, along), height = dot(centre_ - segment.start, left);
-        if (foot < -touch_reach || foot > span + touch_reach || std::abs(std::abs(height) - radius_) > touch_reach) return;
+        if (foot < -touch_reach || foot > span + touch_reach || std::abs(height) - radius_ > touch_reach) return;
         int const side = height > 0 ? 1 : -1;
-        Support support{{index, side}, side * left};
+        Support support{{index, side}, side * left, std::abs(height) - radius_};
         mark_end(support, -along, foot);
         mark_end(support, along, span - foot);
         supports.push_back(support);
@@ -64,10 +64,12 @@ private:
         if (std::abs(room) <= socket_play && distance <= std::max(0.0, room) + socket_play)
             return fill_socket(index, arc, inner_side);
         if (distance == 0 || !is_over(index, arc, out, distance)) return;
-        if (std::abs(distance - arc.radius - radius_) <= touch_reach)
-            add_on_arc(index, arc, {{index, -inner_side}, out / distance, 1 / distance}, distance);
-        else if (std::abs(room - distance) <= touch_reach && fits(terrain_, {index, inner_side}, radius_))
-            add_on_arc(index, arc, {{index, inner_side}, -out / distance, -1 / distance}, distance);
+        if (distance > arc.radius) {
+            if (distance - arc.radius - radius_ <= touch_reach)
+                add_on_arc(index, arc, {{index, -inner_side}, out / distance, distance - arc.radius - radius_, 1 / distance}, distance);
+        } else if (room - distance <= touch_reach && room >= -socket_play) {
+            add_on_arc(index, arc, {{index, inner_side}, -out / distance, room - distance, -1 / distance}, distance);
+        }
     }
 
     // Past the ends of the arc, in m at the ball's centre; negative before them.
@@ -96,8 +98,8 @@ private:
 
     void fill_socket(int index, Arc const& arc, int inner_side) {
         int const count = static_cast<int>(std::ceil(std::abs(arc.sweep) / socket_spacing));
-        for (int i = 0; i <= count; ++i) {
-            auto const [sine, cosine] = geometry::sine_cosine(arc.from + arc.sweep * i / count);
+        for (int i = 0; i < count; ++i) {
+            auto const [sine, cosine] = geometry::sine_cosine(arc.from + arc.sweep * (i + 0.5) / count);
             supports.push_back({{index, inner_side}, Vec2(-cosine, -sine)});
         }
     }
@@ -107,8 +109,8 @@ private:
         Vertex const& v = terrain_.vertices[vertex];
         Vec2 const out = centre_ - v.point;
         double const distance = geometry::length(out);
-        if (v.cone_width == 0 || std::abs(distance - radius_) > touch_reach) return;
-        Support support{{terrain_.feature_of_vertex(vertex), 1}, out / distance, 1 / distance};
+        if (v.cone_width == 0 || distance == 0 || distance - radius_ > touch_reach) return;
+        Support support{{terrain_.feature_of_vertex(vertex), 1}, out / distance, distance - radius_, 1 / distance};
         for (Vec2 const& edge : {v.first_edge, v.last_edge}) {
             double const past = dot(support.normal, edge) * radius_;
             if (past > touch_reach) return;

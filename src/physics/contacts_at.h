@@ -7,17 +7,18 @@
 
 namespace physics {
 
-// A feature within touch_reach. The gap's second derivative is a . normal + curvature (v . t)^2, with t = (n.y, -n.x).
+// A feature nearer to the ball's rim than touch_reach, or inside of it. The gap's second derivative is a . normal + curvature (v . t)^2, with t = (n.y, -n.x).
 struct Support {
     Contact contact;
     Vec2 normal = Vec2::UnitY();  // unit, from terrain to ball
+    double gap = 0;               // m, below 0 inside
     double curvature = 0;         // 1/m: of the way on which the ball keeps to it, positive where that turns away from n
     bool ends_forwards = false;   // the feature ends here for a ball that goes along t,
     bool ends_backwards = false;  // or against it
 };
 
-// All of them, in order of features. From a socket, an arc of the ball's own radius around its centre, several: where the
-// arc ends, and a few between, so that they push wherever the arc does.
+// All of them, in order of features. From a socket, an arc of the ball's own radius around its centre, several between its
+// ends, where vertices or neighbours push: together they push wherever the arc does.
 std::vector<Support> contacts_at(Terrain const& terrain, Vec2 const& centre, double radius);
 
 // Of supports that share a normal, as the pieces do that meet at a joint, the one to which a ball keeps that has this

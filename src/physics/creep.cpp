@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_rounds = 100;
 constexpr double shortest_creep = 1e-7;  // s
-constexpr double longest_creep = 1e-4;   // s
+constexpr double longest_creep = 1e-3;   // s
 // Components below this share of the vector are rounding.
 constexpr double still_closing = 1e-12;
 // A pull that supports leave over of the field, below this share of it, is none, nor are these speeds.
@@ -68,6 +68,21 @@ std::optional<Turnout> on_one(Setting const& setting, Support const& support, St
     return turnout;
 }
 
+// How long a straight creep strays from its curved surfaces, and from the pull's changes, by no more than creep_stray.
+double span_of(Setting const& setting, std::vector<Support> const& supports, double speed, double pull) {
+    double curvature = 0;
+    for (Support const& s : supports) curvature = std::max(curvature, std::abs(s.curvature));
+    geometry::Oscillator const& spring = setting.field.spring;
+    auto const stray = [&](double span) {
+        double const fastest = speed + pull * span;
+        double const changes = (spring.stiffness * fastest + 2 * spring.decay * pull) * span;
+        return 0.5 * span * span * (curvature * fastest * fastest + changes);
+    };
+    double span = longest_creep;
+    while (span > shortest_creep && stray(span) > creep_stray) span /= 2;
+    return std::max(span, shortest_creep);
+}
+
 }  // namespace
 
 Turnout creeping(Setting const& setting, State const& state, double time) {
@@ -89,13 +104,7 @@ Turnout creeping(Setting const& setting, State const& state, double time) {
         turnout.course = standing_course(start, contact, 0, time);
         return turnout;
     }
-    double bend = geometry::length(pull) / setting.ball.radius;
-    for (Support const& s : supports)
-        bend = std::max(bend, std::abs(s.curvature) * dot(start.velocity, start.velocity));
-    bend += setting.field.spring.stiffness * geometry::length(start.velocity) * longest_creep +
-            2 * setting.field.spring.decay * geometry::length(pull) * longest_creep;
-    double const span =
-        std::clamp(std::sqrt(2 * creep_stray / std::max(bend, 1e-300)), shortest_creep, longest_creep);
+    double const span = span_of(setting, supports, geometry::length(start.velocity), geometry::length(pull));
     Course& course = turnout.course;
     course.leg.since = time;
     course.leg.motion = Ballistic{start, pull, 0};

@@ -19,7 +19,7 @@ inline constexpr int watch_events = 1000;  // these in that span for one ball ha
 // watch_span nothing bounces back. Where more events than stall_events fall in stall_span, the ball creeps on (ride.h).
 inline constexpr int crowd_events = 50;
 inline constexpr double stall_span = 1e-10;  // s
-inline constexpr int stall_events = 100;
+inline constexpr int stall_events = 40;
 
 void begin_with(Exact const&, Scene const& scene, World& world, History& history);
 void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history);

@@ -321,6 +321,8 @@ bool keeps_to_track(Setting const& setting, Rider const& rider, Course const& co
 
 Turnout kept_turnout(Setting const& setting, Struck& struck, std::vector<std::size_t> const& kept, double time) {
     if (kept.size() > 1) return among_several(setting, struck, kept, time);
+    if (!fits(setting.terrain, struck.supports[kept.front()].contact, setting.ball.radius))
+        return stuck(setting, struck, kept, time);
     double const hop = *hop_on(setting, struck, kept.front());
     Rider const rider = rider_on(setting, struck, kept.front());
     if (hop == 0) return ride_from(setting, rider, time);
@@ -355,8 +357,11 @@ Struck struck_at(Setting const& setting, State const& state, Contact known) {
     if (known.feature >= 0 && !found && fits(setting.terrain, known, setting.ball.radius)) {
         Track const track = track_of(setting.terrain, known, setting.ball.radius);
         Vec2 const normal = normal_at(track, nearest_coordinate(track, state.position));
-        struck.touched.push_back({known, normal, track.straight ? 0 : track.sense / track.rho});
+        struck.touched.push_back({known, normal, 0, track.straight ? 0 : track.sense / track.rho});
     }
+    // What rounding has left of a depth must not add up over many bounces.
+    for (Support const& s : struck.touched)
+        if (s.contact == known && s.gap < 0 && s.gap >= -touch_reach) struck.state.position -= s.gap * s.normal;
     choose_supports(setting, struck);
     return struck;
 }
