@@ -100,7 +100,6 @@ private:
     // Makes a turnout the ball's present.
     void take(int i, Turnout const& turnout, double time) {
         Course const& course = turnout.course;
-        if (getenv("SMB_DBG")) { State st = at(course.leg, time); fprintf(stderr, "DBG %.17g ph %d con %d,%d end %d dur %.3g next %d,%d p %.12g %.12g v %.6g %.6g w %.4g hap", time, int(course.leg.phase), course.leg.contact.feature, course.leg.contact.side, int(course.ending), course.duration, course.next.feature, course.next.side, st.position.x(), st.position.y(), st.velocity.x(), st.velocity.y(), st.spin); for (auto& h : turnout.happenings) fprintf(stderr, " %d@%d", int(h.kind), h.contact.feature); fprintf(stderr, "\n"); } // DBG
         Trail<Leg>& legs = history_.legs[i];
         // A leg that lasted no time leaves no trace; one that goes on is the same leg, known further ahead.
         if (!legs.empty() && legs.back().since >= course.leg.since) legs.pop_back();
