@@ -32,7 +32,7 @@ Standing standing_at_start(Scene const& scene, Ball const& ball);
 
 // Ends the ball's leg at the clock's present time if it began earlier, so that the next chord spans one step only.
 void open_leg(World& world, History& history, int ball, double now);
-// Ends the ball's leg, begun at world.time, at `then`, and begins the next.
+// Ends the ball's leg, begun within the step from world.time on, at `then`, and begins the next.
 void write_leg(World& world, History& history, int ball, double then, Standing const& next);
 
 // The event that a change of contact within one step amounts to, for methods that do not see it happen.
