@@ -20,6 +20,10 @@ struct Flight {
 };
 Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity, double time);
 
+// From world.time on steps are counted anew, and nothing is remembered of steps before: neither who leaned on whom nor
+// who stood still. For whenever steps begin, and when another method takes the world back.
+void begin_stepping(World& world);
+
 // How a ball is at a step's end.
 struct Standing {
     State state;
