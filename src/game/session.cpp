@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "game/method_choice.h"
+#include "game/tolerance.h"
 #include "level/hash.h"
 
 namespace game {
@@ -118,6 +119,7 @@ void advance_freely(Session& session, double until) {
     auto const fault = physics::advance(session.method, session.level->scene, session.world, until, session.history);
     if (fault) cannot_go_on(session, *fault);
     judge_since(session, before);
+    if (session.watch) measure(*session.watch, session);
 }
 
 }  // namespace
