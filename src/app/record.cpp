@@ -82,6 +82,7 @@ int record(SequenceOptions const& options) {
     } catch (std::runtime_error const& error) {
         throw std::runtime_error(with_part(error.what(), options.output, video));
     }
+    expect_tolerance_kept(options.file, sequence.session);
     return done;
 }
 

@@ -81,7 +81,7 @@ Sequence sequence_for(SequenceOptions const& options) {
         note_changed_level(opening);
         note_advice(opening, wish);
     }
-    sequence.session = session_for(opening, wish);
+    sequence.session = watched_session_for(opening, wish);
     sequence.count = count_of(sequence.from, to ? *to : duration_of(opening.run), sequence.rate);
     sequence.jobs = static_cast<int>(std::min<long long>(jobs, sequence.count));
     sequence.stage = view::stage_of(*opening.level);

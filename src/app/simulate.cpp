@@ -66,13 +66,14 @@ int simulate(SimulateOptions const& options) {
     Opened const opening = opened(options.file);
     note_changed_level(opening);
     note_advice(opening, wish);
-    game::Session session = session_for(opening, wish);
+    game::Session session = watched_session_for(opening, wish);
     double const end = (to ? *to : duration_of(opening.run)).value();
     Trace trace(options.format == "json" ? Trace::Format::json : Trace::Format::csv);
     if (options.events)
         print_events(session, end, trace);
     else
         print_rows(session, every, end, trace);
+    expect_tolerance_kept(options.file, session);
     return done;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "game/method_choice.h"
+#include "game/tolerance.h"
 #include "level/hash.h"
 
 namespace game {
@@ -104,15 +105,21 @@ void judge(Session& session, Event const& event) {
     if (meaning == level::Meaning::fall) session.fall_time = event.time;
 }
 
-void judge_from(Session& session, std::size_t first) {
-    for (std::size_t i = first; i < session.history.events.size(); ++i) judge(session, session.history.events[i]);
+// By time, not by place: a sensor's event stands before what else happened at its time. To judge one twice does
+// nothing.
+void judge_since(Session& session, double time) {
+    auto const& events = session.history.events;
+    auto const first =
+        std::partition_point(events.begin(), events.end(), [&](Event const& e) { return e.time < time; });
+    std::for_each(first, events.end(), [&](Event const& event) { judge(session, event); });
 }
 
 void advance_freely(Session& session, double until) {
-    std::size_t const known = session.history.events.size();
+    double const before = session.world.time;
     auto const fault = physics::advance(session.method, session.level->scene, session.world, until, session.history);
     if (fault) cannot_go_on(session, *fault);
-    judge_from(session, known);
+    judge_since(session, before);
+    if (session.watch) measure(*session.watch, session);
 }
 
 }  // namespace
@@ -133,7 +140,7 @@ Session session_of(std::shared_ptr<level::Level const> level, physics::Method co
     session.noticed_at.assign(session.level->scene.sensors.size(), physics::never);
     session.world = physics::world_at_start(method, session.level->scene, session.history);
     session.forces.push_back({0, session.world.forces});
-    judge_from(session, 0);
+    judge_since(session, 0);
     return session;
 }
 

@@ -19,17 +19,20 @@ struct ForcesSince {
     physics::Forces forces;
 };
 
+struct ToleranceWatch;  // game/tolerance.h
+
 struct Session {
     std::shared_ptr<level::Level const> level;
     physics::Method method;
     physics::World world;
     physics::History history;
-    std::vector<Input> inputs;        // in order of time: those that have acted, then those to come
-    std::size_t acted = 0;            // how many have
-    std::vector<double> noticed_at;   // s, by sensor: when it first fired; never = not yet
-    std::deque<ForcesSince> forces;   // what acted when; the last is what acts now
-    std::optional<double> goal_time;  // s, by the rules: the first of these that happens ends the game
-    std::optional<double> fall_time;  // s
+    std::vector<Input> inputs;              // in order of time: those that have acted, then those to come
+    std::size_t acted = 0;                  // how many have
+    std::vector<double> noticed_at;         // s, by sensor: when it first fired; never = not yet
+    std::deque<ForcesSince> forces;         // what acted when; the last is what acts now
+    std::optional<double> goal_time;        // s, by the rules: the first of these that happens ends the game
+    std::optional<double> fall_time;        // s
+    std::shared_ptr<ToleranceWatch> watch;  // where a tolerance is to be kept that cannot be promised
 };
 
 // Throws std::runtime_error("run: inputs[2]: ...") for a grab of a ball that the level does not have; `run_file` is

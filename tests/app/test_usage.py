@@ -70,7 +70,11 @@ class Usage(ProgramTest):
 
     def test_a_tolerance_raises_the_rate_of_steps_unless_that_is_named_and_leaves_exact_as_it_is(self):
         # The error falls with the square of the step: a hundredth of the usual 2.5e-5 m asks for ten times 240 Hz.
-        trace = lambda *words: self.done("simulate", self.small_level, "--to", "0.2", *words)
+        def trace(*words):
+            result = self.smb2d("simulate", self.small_level, "--to", "0.2", *words)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return result.stdout
+
         self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7"),
                          trace("--method", "steps", "--rate", "2400"))
         self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7", "--rate", "100"),

@@ -171,6 +171,38 @@ TEST_CASE("bananas count from when the rim touches them, the goal from when the 
     CHECK(game::status_at(session, 2.1).goal_time);
 }
 
+TEST_CASE("the game ends at the same time however often one looks, under every method") {
+    level::Level level = empty_level(Vec2(1, 0));
+    add_line(level, 0.4, level::Meaning::fall);
+    add_line(level, 0.8 - 1e-3, level::Meaning::goal);
+    level.scene.sensors[0].ball = -1;
+    for (physics::Method const& method :
+         {physics::Method(physics::Article{}), physics::Method(physics::Steps{}), physics::Method(physics::Exact{})}) {
+        auto const shared = std::make_shared<level::Level const>(level);
+        Session once = game::session_of(shared, method, drag()), often = game::session_of(shared, method, drag());
+        game::advance(once, 2);
+        for (int i = 0; i <= 120; ++i) {
+            game::advance(often, i / 60.0);
+            game::forget_before(often, i / 60.0);
+        }
+        CHECK(once.noticed_at == often.noticed_at);
+        CHECK(once.goal_time == often.goal_time);
+        CHECK(once.fall_time == often.fall_time);
+        CHECK((once.goal_time || once.fall_time));
+    }
+}
+
+TEST_CASE("a sensor's event that comes in between those judged already is judged") {
+    // At 1 s the goal is crossed and gravity turned.
+    level::Level level = empty_level(Vec2(1, 0));
+    add_line(level, 1, level::Meaning::goal);
+    Session session = session_of(level, {{1, game::Tilt{0.1}}});
+    game::advance(session, 1);
+    game::advance(session, 1 + 1e-9);
+    REQUIRE(session.goal_time);
+    CHECK(std::abs(*session.goal_time - 1) <= 1e-9);
+}
+
 TEST_CASE("what happens first ends the game: no goal after a fall or when time is up") {
     level::Level fallen = empty_level(Vec2(1, 0));
     add_line(fallen, 1, level::Meaning::fall);
