@@ -112,13 +112,17 @@ void add_fall(Level& level) {
     level.meanings.push_back(Meaning::fall);
 }
 
+std::string overlap_in_words(Overlap const& overlap) {
+    std::string const whom = overlap.other < 0 ? "terrain" : "ball " + std::to_string(overlap.other);
+    return "overlaps " + whom + " by " + shown(overlap.depth) + " m";
+}
+
 void settle_starts(Reading& reading) {
     physics::Scene& scene = reading.level.scene;
     auto const overlaps = overlaps_in(scene);
     bool all_slight = true;
     for (Overlap const& overlap : overlaps) {
-        std::string const whom = overlap.other < 0 ? "terrain" : "ball " + std::to_string(overlap.other);
-        std::string const what = "ball: overlaps " + whom + " by " + shown(overlap.depth) + " m";
+        std::string const what = "ball: " + overlap_in_words(overlap);
         int const line = reading.ball_lines[overlap.ball];
         if (overlap.slight) {
             reading.report.warn(line, what + " and is moved out");
@@ -127,7 +131,11 @@ void settle_starts(Reading& reading) {
         }
         all_slight = all_slight && overlap.slight;
     }
-    if (all_slight && !overlaps.empty()) scene.balls = moved_out(scene, overlaps);
+    if (!all_slight || overlaps.empty()) return;
+    scene.balls = moved_out(scene, overlaps);
+    for (Overlap const& left : overlaps_in(scene))
+        reading.report.fault(reading.ball_lines[left.ball],
+                             "ball: does not fit between what it touches: moved out, it " + overlap_in_words(left));
 }
 
 }  // namespace

@@ -179,6 +179,22 @@ TEST_CASE("deep overlaps are faults, slight ones are not") {
     CHECK(second_at("3") == ":3: ball: overlaps ball 0 by 1.5 m, more than 5 % of its radius");
 }
 
+TEST_CASE("a ball that is moved out of one wall into another does not fit") {
+    auto const between = [](std::string const& right) {
+        return fault_of(
+            "<svg viewBox='0 0 9 9'>\n<path class='terrain' d='M2 0V8'/>\n<path class='terrain' d='" + right +
+            "'/>\n<circle class='ball' cx='2.9975' cy='4' r='1'/></svg>");
+    };
+    CHECK(between("M4 0V8") == "");
+    CHECK(between("M3.995 0V8") ==
+          ":4: ball: does not fit between what it touches: moved out, it overlaps terrain by 0.005 m");
+    // Two degrees from the other wall, which it may leave upwards: the moves take thousands of rounds.
+    CHECK(between("M4.135 0L3.855615 8") == "");
+    CHECK(fault_of("<svg viewBox='0 0 9 9'>\n<path class='terrain' d='M2 0V8M5.98 0V8'/>\n"
+                   "<circle class='ball' cx='3' cy='4' r='1'/>\n<circle class='ball' cx='4.98' cy='4' r='1'/></svg>")
+              .find("ball: does not fit between what it touches: moved out, it overlaps ") != std::string::npos);
+}
+
 TEST_CASE("the first fault is the one on the first line, check finds them all") {
     std::string const text =
         "<svg viewBox='0 0 9 9' data-gravity='x'>\n<circle class='ball' cx='3' cy='3' r='1' data-mass='0' "
