@@ -21,6 +21,7 @@ static_assert(game::PastLimits{}.shortest > view::camera_memory + 1 / game::lowe
 
 void open_session(PlayGame& game, Opened const& opening) {
     note_changed_level(opening);
+    note_misspellings(*opening.level);
     game.session = session_for(opening, game.wish);
     game.pace.ticks = 0;
     game.pace.rest = 0;

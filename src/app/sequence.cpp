@@ -79,6 +79,7 @@ Sequence sequence_for(SequenceOptions const& options) {
     Opened const opening = opened(options.file);
     if (!options.quiet) {
         note_changed_level(opening);
+        note_misspellings(*opening.level);
         note_advice(opening, wish);
     }
     sequence.session = session_for(opening, wish);

@@ -65,6 +65,7 @@ int simulate(SimulateOptions const& options) {
         throw UsageError("--format must be csv or json, got \"" + options.format + "\"");
     Opened const opening = opened(options.file);
     note_changed_level(opening);
+    note_misspellings(*opening.level);
     note_advice(opening, wish);
     game::Session session = session_for(opening, wish);
     double const end = (to ? *to : duration_of(opening.run)).value();

@@ -57,6 +57,7 @@ int verify(VerifyOptions const& options) {
         try {
             Opened const opening = opened(file);
             if (!opening.is_run) throw std::runtime_error(file + ": is a level, not a run");
+            note_misspellings(*opening.level);
             auto const differences = differences_in(opening, wish);
             if (!differences.empty()) status = fault_found;
             verdict = verdict_on(opening, differences) + "\n";
