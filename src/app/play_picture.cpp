@@ -65,12 +65,9 @@ std::vector<view::Foresight> coming_of(PlayGame const& game) {
 }
 
 view::Moment moment_of(PlayGame const& game) {
-    view::Recall const recall = game.overlays.energy ? view::Recall::chart : view::Recall::nothing;
-    view::Moment moment = view::moment_at(game.stage->level, game.session.history, shown_time(game), recall);
+    view::Moment moment = view::moment_of(game.session, shown_time(game), view::recall_for(game.overlays));
     // What the player has just done shows at once, though a stepping method lets it act from the next step on.
-    moment.forces = game.looked_at ? game::forces_at(game.session, *game.looked_at) : game.session.world.forces;
-    moment.noticed_at = game.session.noticed_at;
-    moment.status = game::status_at(game.session, shown_time(game));
+    if (!game.looked_at) moment.forces = game.session.world.forces;
     moment.coming = coming_of(game);
     return moment;
 }

@@ -42,10 +42,7 @@ FrameOrder order_for(Sequence& sequence, long long frame) {
     game::forget_before(session, std::max(0.0, time - view::camera_memory));
     FrameOrder order;
     order.frame = frame;
-    order.moment = view::moment_at(*session.level, session.history, time);
-    order.moment.forces = game::forces_at(session, time);
-    order.moment.noticed_at = session.noticed_at;
-    order.moment.status = game::status_at(session, time);
+    order.moment = view::moment_of(session, time, view::recall_for(sequence.overlays));
     order.camera = view::camera_at(*session.level, session.history, time,
                                    geometry::Vec2(sequence.size.width, sequence.size.height));
     return order;
