@@ -79,8 +79,10 @@ void note_goal(PlayGame& game) {
     if (game.noted || !game.session.goal_time || *game.session.goal_time > present_time(game)) return;
     game.noted = true;
     try {
-        if (game::note_time(game.stage->level, *game.session.goal_time) == game::Rank::best)
-            say(game, "Best time: " + view::written(*game.session.goal_time, 2) + " s");
+        game::Noted const noted = game::note_time(game.stage->level, *game.session.goal_time);
+        if (noted.rank == game::Rank::best) say(game, "Best time: " + view::written(*game.session.goal_time, 2) + " s");
+        if (noted.set_aside)
+            note("smb2d: the list of best times could not be read; it is kept as " + noted.set_aside->string());
     } catch (std::exception const& error) {
         say(game, std::string("The time was not kept: ") + error.what());
         note(std::string("smb2d: ") + error.what());
