@@ -55,10 +55,16 @@ void take_over(PlayGame& game) {
     say(game, "You play on from here");
 }
 
+// Where the pointer that drags a ball is in the world, which depends on where the camera is.
+Vec2 pointer_at(PlayGame const& game, double time) {
+    view::Camera const camera = view::camera_at(game.stage->level, game.session.history, time, game.size, game.lens);
+    return view::world_of(camera, *game.held);
+}
+
 // Tells the session where the pointer is in the world now, be it because the camera has moved.
 void send_pointer(PlayGame& game) {
     if (!game.held) return;
-    Vec2 const point = view::world_of(camera_of(game), *game.held);
+    Vec2 const point = pointer_at(game, present_time(game));
     if (game.sent && *game.sent == point) return;
     game::act(game.session, game::Move{point});
     game.sent = point;
@@ -89,9 +95,13 @@ void note_goal(PlayGame& game) {
     }
 }
 
-// Up to the time that the pace shows.
-void let_time_pass(PlayGame& game) {
-    game::advance(game.session, present_time(game));
+// From the time that was shown before up to the one that the pace shows.
+void let_time_pass(PlayGame& game, double from) {
+    double const now = present_time(game);
+    if (game.held)
+        game::advance_held(game.session, from, now, [&](double time) { return pointer_at(game, time); });
+    else
+        game::advance(game.session, now);
     game::keep_past(game.session, present_time(game));
     note_goal(game);
 }
@@ -182,8 +192,9 @@ void single_step(PlayGame& game) {
     if (!game.pace.paused) return;
     send_pointer(game);
     lean(game, 1.0 / 60);
+    double const from = present_time(game);
     game.pace = game::after_single_step(game.pace);
-    let_time_pass(game);
+    let_time_pass(game, from);
 }
 
 void cycle_overlay(PlayGame& game) {
@@ -222,8 +233,9 @@ void pass(PlayGame& game, double elapsed) {
     double const simulated = static_cast<double>(next.ticks - before) / game::ticks_per_second;
     send_pointer(game);
     lean(game, simulated);
+    double const from = present_time(game);
     game.pace = next;
-    let_time_pass(game);
+    let_time_pass(game, from);
     if (!game.replay_end || present_time(game) < *game.replay_end) return;
     game.replay_end.reset();
     game.pace.paused = true;
