@@ -181,6 +181,12 @@ void release(PlayGame& game) {
     game.sent.reset();
 }
 
+void lose_focus(PlayGame& game) {
+    if (!game.held) return;
+    release(game);
+    say(game, "Let go: the window is no longer in front");
+}
+
 bool is_over_ball(PlayGame const& game, Vec2 const& pixel) { return ball_at(game, pixel).has_value(); }
 
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches) {
