@@ -39,6 +39,11 @@ void note_changed_level(Opened const& opened) {
         note("smb2d: " + opened.file + ": the level " + opened.level->file + " has changed since this run was made");
 }
 
+void note_misspellings(level::Level const& level) {
+    for (level::Finding const& finding : level.misspellings)
+        note("smb2d: " + level.file + ":" + std::to_string(finding.line) + ": warning: " + finding.text);
+}
+
 void note_advice(Opened const& opened, game::MethodWish const& wish) {
     game::MethodWish const whole = whole_wish(opened, wish);
     if (!whole.tolerance) return;

@@ -25,6 +25,9 @@ Opened opened(std::string const& file);
 // Says on standard error when the level is not the one that the run was made for.
 void note_changed_level(Opened const& opened);
 
+// Says on standard error which classes are a letter away from a role: what was meant to be a ball is none.
+void note_misspellings(level::Level const& level);
+
 // Says on standard error which method is chosen for a tolerance, and why, where none is named; and where the tolerance
 // is no more than an estimate.
 void note_advice(Opened const& opened, game::MethodWish const& wish);

@@ -89,6 +89,21 @@ void let_act(Session& session, Action const& action) {
     session.forces.push_back({session.world.time, *forces});
 }
 
+constexpr double moves_per_second = 60;
+
+// Of several multiples within one step of a stepping method, one move is enough.
+bool has_acted_now(Session const& session) {
+    return session.acted > 0 && session.inputs[session.acted - 1].time == session.world.time;
+}
+
+// A move, where the target of the pull would be another for it or may become so as the ball goes on.
+void move_along(Session& session, Vec2 const& pointer) {
+    auto const& pull = session.world.forces.pull;
+    if (!pull || has_acted_now(session)) return;
+    bool const is_drawn_in = target_for(session, pull->ball, pointer) != pointer;
+    if (is_drawn_in || pull->target != pointer) act(session, Move{pointer});
+}
+
 bool is_over(Session const& session, double time) {
     return session.goal_time || session.fall_time || (session.level->time_limit && time > *session.level->time_limit);
 }
@@ -160,6 +175,17 @@ void act(Session& session, Action const& action) {
     session.inputs.push_back({session.world.time, action});
     let_act(session, action);
     ++session.acted;
+}
+
+void advance_held(Session& session, double from, double until, Pointer const& pointer) {
+    double i = std::floor(from * moves_per_second);
+    while (i / moves_per_second <= from) ++i;
+    for (; i / moves_per_second <= until; ++i) {
+        double const time = i / moves_per_second;
+        advance(session, time);
+        move_along(session, pointer(time));
+    }
+    advance(session, until);
 }
 
 void forget_before(Session& session, double time) {

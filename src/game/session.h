@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,14 @@ void advance(Session& session, double until);
 // What the player does now, at world.time; it is recorded, and inputs to come are dropped. A move without a grab and
 // a grab of no ball are nothing.
 void act(Session& session, Action const& action);
+
+// Where the player's pointer is in the world at a time, m.
+using Pointer = std::function<Vec2(double time)>;
+
+// From `from`, up to where it was advanced before, on to `until` while the player holds a ball: as long as the pointer
+// is farther from it than the reach, a move at every whole multiple of 1/60 s places the target anew, so that it goes
+// along with the ball; one more when it has come within.
+void advance_held(Session& session, double from, double until, Pointer const& pointer);
 
 // Drops legs, events and forces that are not needed to answer from `time` on.
 void forget_before(Session& session, double time);

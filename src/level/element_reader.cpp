@@ -25,8 +25,8 @@ std::string Elements::label(pugi::xml_node node, std::string_view tag) const {
 void Elements::inspect_class(pugi::xml_node node, std::string const& name) {
     for (std::string_view const word : words_of(node.attribute("class").value()))
         if (auto const role = near_miss(word))
-            reading_.report.warn(document_.line_of(node),
-                                 name + ": class " + quoted(word) + " is a letter away from " + name_of(*role));
+            reading_.report.warn_always(document_.line_of(node),
+                                        name + ": class " + quoted(word) + " is a letter away from " + name_of(*role));
 }
 
 void Elements::inspect_group(pugi::xml_node node, std::string_view tag) {
@@ -72,6 +72,8 @@ void Elements::read(pugi::xml_node node, std::string_view tag, Context const& co
     inspect_data(element, roles[0]);
     try {
         read_role(element, roles[0]);
+    } catch (TooFar const& far) {
+        fault_of_place(element, far);
     } catch (Broken const& broken) {
         fault(element, broken.what());
     }
@@ -87,6 +89,10 @@ void Elements::inspect_data(Element const& element, Role role) {
         else if (!belongs_to(*data, role))
             warn(element, quoted(name) + " has no effect here");
     }
+}
+
+void Elements::fault_of_place(Element const& element, TooFar const& far) {
+    fault(element, far_coordinates(element.node, element.tag, scale_of(element.context.to_world)) + ": " + far.what());
 }
 
 void Elements::read_role(Element const& element, Role role) {
@@ -240,6 +246,8 @@ void Elements::read_decoration(Element const& element) {
             reading_.level.decorations.push_back(part);
     } catch (Unsupported const& unsupported) {
         warn(element, std::string("is ignored: ") + unsupported.what());
+    } catch (TooFar const& far) {
+        fault_of_place(element, far);
     } catch (Broken const& broken) {
         fault(element, broken.what());
     }

@@ -66,6 +66,7 @@ private:
     void fault(Element const& element, std::string const& what) {
         reading_.report.fault(element.line, element.label + ": " + what);
     }
+    void fault_of_place(Element const& element, TooFar const& far);
     void warn(Element const& element, std::string const& what) {
         reading_.report.warn(element.line, element.label + ": " + what);
     }

@@ -11,6 +11,11 @@ void Report::add(Finding finding) {
     if (!again) findings_.push_back(std::move(finding));
 }
 
+void Report::warn_always(int line, std::string text) {
+    misspellings_.push_back({line, text, false});
+    warn(line, std::move(text));
+}
+
 std::vector<Finding> Report::by_line() const {
     std::vector<Finding> sorted = findings_;
     std::stable_sort(sorted.begin(), sorted.end(), [](Finding const& a, Finding const& b) { return a.line < b.line; });

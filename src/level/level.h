@@ -28,6 +28,12 @@ struct Decoration {
     double opacity = 1;
 };
 
+struct Finding {
+    int line = 0;
+    std::string text;    // "element: what"
+    bool fault = false;  // else a warning
+};
+
 struct Level {
     std::string title;
     std::string file;      // the path it was read from
@@ -42,16 +48,12 @@ struct Level {
     double tilt_limit = 0.4;                 // rad
     std::vector<Outline> outlines;           // of the terrain
     std::vector<Decoration> decorations;
+    std::vector<Finding> misspellings;  // classes a letter away from a role, of which every command warns
 };
 
 // Throws std::runtime_error("file:line: element: what") for the first fault (formats.md section 3).
 Level read_level(std::string const& file);
 
-struct Finding {
-    int line = 0;
-    std::string text;    // "element: what"
-    bool fault = false;  // else a warning
-};
 // Every fault that can be reached, then what is legal but suspicious; in order of lines.
 std::vector<Finding> findings_in(std::string const& file);
 

@@ -9,4 +9,7 @@ inline constexpr double most_speed = 1e6;   // m/s, of a ball's centre and of it
 // A piece this short has both its ends in one vertex.
 inline constexpr double shortest_piece = 1e-6;  // m
 
+// Nearer to a curve its arcs would be shorter than the shortest piece, and without end.
+inline constexpr double least_curve_tolerance = 1e-6;  // m
+
 }  // namespace level

@@ -160,7 +160,7 @@ private:
 Vec2 placed(Affine const& to_world, Vec2 const& point) {
     Vec2 const place = mapped(to_world, point);
     for (double const x : {place.x(), place.y()})
-        if (!(std::abs(x) <= most_metres)) throw Broken("a coordinate must be at most 1e6 m, got " + shown(x));
+        if (!(std::abs(x) <= most_metres)) throw TooFar("a coordinate must be at most 1e6 m, got " + shown(x));
     return place;
 }
 

@@ -91,8 +91,17 @@ private:
     std::vector<Context> above_;
 };
 
+// Every failure is one line: a class that was perhaps meant to be the ball is told in it.
+std::string hint_of_misspelt_ball(Report const& report) {
+    for (Finding const& finding : report.misspellings())
+        if (finding.text.ends_with(std::string(" ") + name_of(Role::ball)))
+            return "; line " + std::to_string(finding.line) + ": " + finding.text;
+    return {};
+}
+
 void choose_player(Reading& reading, Elements const& elements, int root_line) {
-    if (elements.balls_met() == 0) reading.report.fault(root_line, "svg: there must be a ball");
+    if (elements.balls_met() == 0)
+        reading.report.fault(root_line, "svg: there must be a ball" + hint_of_misspelt_ball(reading.report));
     std::vector<int> const& named = elements.players();
     for (std::size_t i = 1; i < named.size(); ++i)
         reading.report.fault(reading.ball_lines[named[i]], "ball: a second ball with the id player");

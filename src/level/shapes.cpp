@@ -5,6 +5,7 @@
 #include <string>
 
 #include "level/faults.h"
+#include "level/limits.h"
 #include "level/numbers.h"
 
 namespace level {
@@ -69,6 +70,14 @@ Shape rect(pugi::xml_node node, Corners corners) {
     return std::vector{closed_to_start(joined(points))};
 }
 
+std::vector<char const*> coordinates_of(std::string_view tag) {
+    if (tag == "path") return {"d"};
+    if (tag == "line") return {"x1", "y1", "x2", "y2"};
+    if (tag == "rect") return {"x", "y", "width", "height"};
+    if (tag == "circle" || tag == "ellipse") return {"cx", "cy"};
+    return {"points"};
+}
+
 template <typename Read>
 std::vector<Subpath> read_or_name(char const* attribute, Read&& read) {
     try {
@@ -95,6 +104,19 @@ double length_in(pugi::xml_node node, char const* attribute) {
     if (parsed.syntax == Syntax::not_finite)
         throw Broken(std::string(attribute) + " must be finite, got " + quoted(all));
     throw Unsupported(std::string(attribute) + " must be a number, got " + quoted(all));
+}
+
+std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale) {
+    std::string all, beyond;
+    auto const add = [](std::string& list, char const* name) {
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    };
+    for (char const* const name : coordinates_of(tag)) {
+        add(all, name);
+        Parsed const parsed = parsed_number(node.attribute(name).value());
+        if (std::abs(parsed.value) * scale > most_metres) add(beyond, name);
+    }
+    return beyond.empty() ? all : beyond;
 }
 
 bool has_round_corners(pugi::xml_node node) {

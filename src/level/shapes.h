@@ -1,6 +1,7 @@
 // The shape of a drawn element in the drawing's own units: path, line, polyline, polygon, rect, circle, ellipse.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -31,6 +32,10 @@ std::vector<Vec2> corners_of_rect(pugi::xml_node node);
 
 // A length in user units, plain or in px. Throws Broken naming the attribute.
 double length_in(pugi::xml_node node, char const* attribute);
+
+// Which attributes place a shape too far away under a transform that enlarges by `scale`: those that are beyond the
+// limit by themselves, else all that say where the shape is. "cx, cy"
+std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale);
 
 // Whether a rect says that its corners are round.
 bool has_round_corners(pugi::xml_node node);

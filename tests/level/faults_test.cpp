@@ -51,7 +51,7 @@ TEST_CASE("T16: every number out of its range is a fault that names it") {
     CHECK(radius("r='1px'") == "");
     CHECK(radius("r='1' transform='scale(0)'") == ":2: ball: the radius must be greater than 0, got 0");
     CHECK(radius("r='1' transform='scale(2 1)'") == ":2: ball: transform must keep a circle a circle");
-    CHECK(radius("r='1' transform='scale(1e7)'") == ":2: ball: a coordinate must be at most 1e6 m, got 3e+07");
+    CHECK(radius("r='1' transform='scale(1e7)'") == ":2: ball: cx, cy: a coordinate must be at most 1e6 m, got 3e+07");
 }
 
 TEST_CASE("faults of surfaces, bananas and goals") {
@@ -62,9 +62,9 @@ TEST_CASE("faults of surfaces, bananas and goals") {
     CHECK(fault_of(with("<line class='terrain' x2='1' data-rolling-resistance='inf'/>")) ==
           ":3: terrain: data-rolling-resistance must be finite, got inf");
     CHECK(fault_of(with("<line class='terrain' x2='1' data-curve-tolerance='0'/>")) ==
-          ":3: terrain: data-curve-tolerance must be greater than 0, got 0");
+          ":3: terrain: data-curve-tolerance must be at least 1e-6 m, got 0");
     CHECK(fault_of(with("<line class='terrain' x2='1000001'/>")) ==
-          ":3: terrain: a coordinate must be at most 1e6 m, got 1e+06");
+          ":3: terrain: x2: a coordinate must be at most 1e6 m, got 1e+06");
     CHECK(fault_of(with("<line class='terrain' x2='inf'/>")) == ":3: terrain: x2 must be finite, got inf");
     CHECK(fault_of(with("<circle class='banana' cx='5' cy='5' r='-1'/>")) ==
           ":3: banana: r must be greater than 0, got -1");
@@ -75,6 +75,38 @@ TEST_CASE("faults of surfaces, bananas and goals") {
     CHECK(fault_of(with("<g data-friction='-1'><line class='terrain' x2='1'/></g>")) ==
           ":3: g: data-friction must be at least 0, got -1");
     CHECK(fault_of(with("<g data-friction='inf'><line class='terrain' x2='1'/></g>")) == "");
+}
+
+TEST_CASE("a coordinate over the limit names its attribute") {
+    std::string const what = ": a coordinate must be at most 1e6 m, got ";
+    auto const far = [](std::string const& element) { return fault_of(with(element)); };
+    CHECK(far("<circle class='banana' cx='2e6' cy='5' r='1'/>") == ":3: banana: cx" + what + "2e+06");
+    CHECK(far("<circle class='banana' cx='5' cy='-3e6' r='1'/>") == ":3: banana: cy" + what + "3.00001e+06");
+    CHECK(far("<circle class='terrain' cx='5' cy='3e6' r='1'/>") == ":3: terrain: cy" + what + "-2.99999e+06");
+    CHECK(far("<path class='terrain' d='M0 0L4e6 0'/>") == ":3: terrain: d" + what + "4e+06");
+    CHECK(far("<polyline class='terrain' points='0,0 4e6,0'/>") == ":3: terrain: points" + what + "4e+06");
+    CHECK(far("<line class='goal' x1='5e6' x2='1' y2='1'/>") == ":3: goal: x1" + what + "5e+06");
+    CHECK(far("<rect class='goal' width='6e6' height='1'/>") == ":3: goal: width" + what + "6e+06");
+    CHECK(far("<ellipse cx='7e6' rx='1' ry='1'/>") == ":3: ellipse: cx" + what + "7e+06");
+    // Neither is beyond the limit by itself: what is said is all that places the element.
+    CHECK(far("<rect class='goal' x='6e5' width='6e5' height='1'/>") ==
+          ":3: goal: x, y, width, height" + what + "1.2e+06");
+}
+
+TEST_CASE("a tolerance of curves below what a piece may measure is a fault, and the least one ends") {
+    auto const curve = [](std::string const& tolerance) {
+        return fault_of(with("<path class='terrain' d='M1 5c2 -4 6 3 8 0' data-curve-tolerance='" + tolerance + "'/>"));
+    };
+    CHECK(curve("1e-300") == ":3: terrain: data-curve-tolerance must be at least 1e-6 m, got 1e-300");
+    CHECK(curve("9.9e-7") == ":3: terrain: data-curve-tolerance must be at least 1e-6 m, got 9.9e-7");
+    CHECK(curve("1e-6") == "");
+}
+
+TEST_CASE("a misspelt ball is told with the fault that there is none") {
+    CHECK(fault_of("<svg viewBox='0 0 9 9'>\n<circle class='bal' cx='3' cy='3' r='1'/></svg>") ==
+          ":1: svg: there must be a ball; line 2: circle: class bal is a letter away from ball");
+    CHECK(fault_of("<svg viewBox='0 0 9 9'>\n<circle class='goa' cx='3' cy='3' r='1'/></svg>") ==
+          ":1: svg: there must be a ball");
 }
 
 TEST_CASE("faults of roles") {
