@@ -94,6 +94,6 @@ TEST_CASE("what is ignored, empty or out of view") {
           "3: terrain: round corners are taken as square");
     CHECK(warnings_of(with("<circle class='banana' cx='20' cy='3' r='1'/>")) == "3: banana: lies outside the viewBox");
     CHECK(warnings_of(with("<line class='terrain' x1='-5' x2='-6'/>")) == "3: terrain: lies outside the viewBox");
-    CHECK(warnings_of("<svg viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' r='1'/></svg>") ==
+    CHECK(warnings_of("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' r='1'/></svg>") ==
           "1: ball: starts outside the viewBox");
 }

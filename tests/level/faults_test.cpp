@@ -134,7 +134,7 @@ TEST_CASE("what is not XML, or not a drawing") {
     CHECK(fault_of("<svg>\n<g a='1' b='2' a='3'/></svg>").substr(0, 49) ==
           ":1: svg: there must be a viewBox, or width and he");
     CHECK(warnings_of(
-              "<svg viewBox='0 0 9 9'>\n<g a='1' b='2' a='3'/><circle class='ball' cx='3' cy='3' r='1'/></svg>") ==
+              "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'>\n<g a='1' b='2' a='3'/><circle class='ball' cx='3' cy='3' r='1'/></svg>") ==
           "2! not XML: the attribute a stands twice in g");
     CHECK(fault_of("<svg/>\n<svg/>") == ":2: not XML: a second root element, svg");
     CHECK(fault_of("<html/>") == ":1: html: the root element must be svg");
@@ -181,7 +181,7 @@ TEST_CASE("deep overlaps are faults, slight ones are not") {
 
 TEST_CASE("the first fault is the one on the first line, check finds them all") {
     std::string const text =
-        "<svg viewBox='0 0 9 9' data-gravity='x'>\n<circle class='ball' cx='3' cy='3' r='1' data-mass='0' "
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' data-gravity='x'>\n<circle class='ball' cx='3' cy='3' r='1' data-mass='0' "
         "data-inertia='2'/>\n<circle class='banana' r='0'/>\n<path class='terrain' d='M0'/></svg>";
     CHECK(fault_of(text) == ":1: svg: data-gravity must be a number, got x");
     CHECK(warnings_of(text) ==
