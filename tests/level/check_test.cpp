@@ -90,10 +90,36 @@ TEST_CASE("what is ignored, empty or out of view") {
     CHECK(warnings_of(with("<path class='terrain'/>")) == "3: terrain: is empty");
     CHECK(warnings_of(with("<line class='terrain' x1='5' x2='5'/>")) == "3: terrain: is empty");
     CHECK(warnings_of(path("M0 8H4H4H9")) == "3: terrain: pieces without length are dropped, 1 of them");
-    CHECK(warnings_of(with("<rect class='terrain' x='8' y='5' width='2' height='1' rx='0.2'/>")) ==
-          "3: terrain: round corners are taken as square");
     CHECK(warnings_of(with("<circle class='banana' cx='20' cy='3' r='1'/>")) == "3: banana: lies outside the viewBox");
     CHECK(warnings_of(with("<line class='terrain' x1='-5' x2='-6'/>")) == "3: terrain: lies outside the viewBox");
-    CHECK(warnings_of("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' r='1'/></svg>") ==
-          "1: ball: starts outside the viewBox");
+    CHECK(warnings_of("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' "
+                      "r='1'/></svg>") == "1: ball: starts outside the viewBox");
+}
+
+TEST_CASE("roles typed where they have no effect") {
+    std::string const how = " gives no role; set its attribute class to ";
+    CHECK(warnings_of(with("<path id='terrain' fill='none' d='M0 8H9'/>")) ==
+          "3: path: the id terrain" + how + "terrain (Inkscape: Edit > XML Editor)");
+    CHECK(warnings_of(with("<g xmlns:inkscape='i' inkscape:label='Terrain 2'/>")) ==
+          "3: g: the label Terrain 2" + how + "terrain (Inkscape: Edit > XML Editor)");
+    CHECK(warnings_of(with("<circle r='1'><title>ball</title></circle>")) ==
+          "3: circle: the title ball" + how + "ball (Inkscape: Edit > XML Editor)");
+    CHECK(warnings_of(with("<g id='ball-holder'/>")) == "");
+}
+
+TEST_CASE("what a browser shows otherwise is told") {
+    std::string const line = "x2='16' y1='8' y2='8'/>";
+    CHECK(warnings_of(with("<line class='terrain' visibility='hidden' " + line)) ==
+          "3: terrain: is hidden and takes part all the same");
+    CHECK(warnings_of(with("<g style='clip-path:url(#c)'><line class='terrain' " + line + "</g>")) ==
+          "3: terrain: a clip path or mask has no effect on it: it counts whole");
+    CHECK(warnings_of(with("<line class='terrain' mask='url(#m)' " + line)) ==
+          "3: terrain: a clip path or mask has no effect on it: it counts whole");
+    CHECK(warnings_of(with("<path class='terrain' style='d:path(\"M0 0\")' d='M0 8H9'/>")) ==
+          "3: terrain: the style property d has no effect; make it an attribute");
+    CHECK(warnings_of(with("<path class='terrain' d='M0 8H9'><animateTransform/></path>")) ==
+          "3: terrain: animateTransform has no effect on it");
+    CHECK(read(with("<rect visibility='hidden' width='1' height='1'/>")).decorations.empty());
+    auto const painted = read(with("<g color='#123456'><rect width='1' height='1' fill='currentColor'/></g>"));
+    CHECK(painted.decorations.at(0).fill == "#123456");
 }
