@@ -66,6 +66,7 @@ Reading reading_of(std::string const& file) {
     auto const frame = frame_of(document, reading.report);
     reading.in_place = frame.has_value();
     reading.level.size = frame.value_or(Frame{}).size;
+    reading.level.metres_per_unit = scale_of(frame.value_or(Frame{}).to_world);
     read_settings(document, reading);
     Walk walk(document, frame.value_or(Frame{}), reading);
     choose_player(reading, walk.elements(), document.line_of(document.root()));

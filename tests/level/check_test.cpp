@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "drawing.h"
+#include "level/notes.h"
 
 using namespace drawing;
 
@@ -122,4 +123,21 @@ TEST_CASE("what a browser shows otherwise is told") {
     CHECK(read(with("<rect visibility='hidden' width='1' height='1'/>")).decorations.empty());
     auto const painted = read(with("<g color='#123456'><rect width='1' height='1' fill='currentColor'/></g>"));
     CHECK(painted.decorations.at(0).fill == "#123456");
+}
+
+TEST_CASE("a sound level is told its scale, and whether it can be won") {
+    auto const notes = [](std::string const& goal, std::string const& root) {
+        return level::notes_on(read("<svg viewBox='0 0 210 297' " + root +
+                                    "><circle class='ball' cx='9' cy='9' r='4'/>" + goal + "</svg>"));
+    };
+    std::string const goal = "<rect class='goal' x='99' y='9' width='9' height='9'/>";
+    CHECK(notes(goal, "") == std::vector<std::string>{
+                                 "the ball is 8 m across, the level 210 m by 297 m",
+                                 "data-metres-per-unit=\"0.1\" on the svg element would make the ball 0.8 m across; at "
+                                 "another scale gravity does not feel as in the levels that ship"});
+    CHECK(notes(goal, "data-metres-per-unit='.1'") ==
+          std::vector<std::string>{"the ball is 0.8 m across, the level 21 m by 29.7 m"});
+    CHECK(notes("", "data-metres-per-unit='.1'").back() ==
+          "there is no goal and no way to win: give a shape the class goal");
+    CHECK(notes(goal, "data-metres-per-unit='.001'").back().find("data-metres-per-unit=\"0.1\"") == 0);
 }
