@@ -58,7 +58,7 @@ std::string unpacked(std::string bytes) {
         std::size_t taken = 0, given = 0;
         auto const result = libdeflate_gzip_decompress_ex(unpacker.get(), rest.data(), rest.size(), text.get() + size,
                                                           room - size, &taken, &given);
-        if (result == LIBDEFLATE_INSUFFICIENT_SPACE) return std::string(text.get(), room);
+        if (result == LIBDEFLATE_INSUFFICIENT_SPACE) return std::string(room, ' ');
         if (result != LIBDEFLATE_SUCCESS) throw Broken("svgz: the packed data is damaged or cut short");
         size += given;
         rest.remove_prefix(taken);

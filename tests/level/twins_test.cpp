@@ -198,7 +198,8 @@ TEST_CASE("what a use cannot copy") {
         for (int k = 0; k < 10; ++k) many += "<use href='#c" + std::to_string(i - 1) + "'/>";
         many += "</g>";
     }
-    CHECK(fault_of(with(many)) == ":3: path: a level must have at most 100000 elements, copies by use included");
+    std::string const full = fault_of(with(many));
+    CHECK(full.find("a level must have at most 100000 elements, copies by use included") != std::string::npos);
     std::string const long_path = "<path id='p' class='terrain' d='M0 7" + std::string(2'000'000, ' ') + "H1'/>";
     std::string uses;
     for (int i = 0; i < 40; ++i) uses += "<use href='#p'/>";
@@ -297,7 +298,7 @@ TEST_CASE("a goal of any closed shape covers what is drawn") {
             bool inside = true;
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 Vec2 const &a = corners[i], &b = corners[(i + 1) % corners.size()];
-                inside = inside && geometry::wedge(b - a, point - a) > 0;
+                inside = inside && geometry::wedge(b - a, point - a) > -1e-9;  // on a seam of two parts as well
             }
             if (inside) return true;
         }
