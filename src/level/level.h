@@ -40,9 +40,11 @@ struct Level {
     std::string hash;      // FNV-1a of the file's bytes, 16 hex digits
     physics::Scene scene;  // scene.sensors[i] means meanings[i]
     std::vector<Meaning> meanings;
+    std::vector<int> sensor_elements;        // by sensor: which drawn element it is; a goal may have several parts
     std::vector<std::string> surface_names;  // by Piece::surface: the element's id or its number in the file
     int player = 0;                          // index of the player's ball
     Vec2 size = Vec2::Zero();                // m, of the viewBox; its lower left corner is the origin
+    double metres_per_unit = 1;              // of the drawing
     std::optional<double> time_limit;        // s
     double drag_reach = 4;                   // m
     double tilt_limit = 0.4;                 // rad

@@ -111,11 +111,25 @@ TEST_CASE("a misspelt ball is told with the fault that there is none") {
 
 TEST_CASE("faults of roles") {
     CHECK(fault_of(with("<circle class='ball banana' r='1'/>")) == ":3: circle: has two roles, ball and banana");
-    CHECK(fault_of(with("<rect class='ball' width='1' height='1'/>")) == ":3: ball: rect cannot be ball");
-    CHECK(fault_of(with("<ellipse class='terrain' rx='1' ry='1'/>")) == ":3: terrain: ellipse cannot be terrain");
-    CHECK(fault_of(with("<path class='goal' d='M0 0h1'/>")) == ":3: goal: path cannot be goal");
-    CHECK(fault_of(with("<g class='terrain'/>")) == ":3: g: cannot be terrain");
-    CHECK(fault_of(with("<text class='banana'/>")) == ":3: banana: text cannot be banana");
+    CHECK(fault_of(with("<rect class='ball' width='1' height='1'/>")) ==
+          ":3: ball: rect cannot be ball: it is not a circle to 1e-3 of its radius; draw a circle, or a path that is "
+          "one");
+    CHECK(fault_of(with("<ellipse class='ball' cx='9' cy='4' rx='1' ry='.9'/>")) ==
+          ":3: ball: its radii must be equal to 1e-3, got 1 m and 0.9 m; make width and height the same");
+    CHECK(fault_of(with("<path class='goal' d='M0 0h1'/>")) ==
+          ":3: goal: path cannot be goal: it is open; close it, or draw a line element");
+    CHECK(fault_of(with("<path class='goal' d='M5 5L9 5L5 8L9 8z'/>")) ==
+          ":3: goal: its outline crosses itself; make it one without crossings (Inkscape: Path > Union)");
+    CHECK(fault_of(with("<g class='terrain ball'/>")) == ":3: g: has two roles, terrain and ball");
+    CHECK(fault_of(with("", "class='terrain'")) == ":1: svg: cannot be terrain");
+    CHECK(fault_of(with("<text class='banana'/>")) ==
+          ":3: banana: text cannot be banana; make it a path first (Inkscape: Path > Object to Path)");
+    CHECK(fault_of(with("<image class='terrain'/>")) ==
+          ":3: terrain: image cannot be terrain; draw its outline, or trace it (Inkscape: Path > Trace Bitmap)");
+    CHECK(fault_of(with("<line class='terrain' x2='9' transform='scale(1 0)'/>")) ==
+          ":3: terrain: its transform flattens it to nothing");
+    CHECK(fault_of(with("<rect class='goal' width='1' height='1' transform='scale(0)'/>")) ==
+          ":3: goal: its transform flattens it to nothing");
     CHECK(fault_of("<svg viewBox='0 0 1 1'/>") == ":1: svg: there must be a ball");
 }
 
@@ -153,6 +167,14 @@ TEST_CASE("broken transforms") {
     CHECK(broken("rotate(1 2)") == ":3: g: transform: rotate has 2 numbers, which is not its number");
     CHECK(broken("translate()") == ":3: g: transform: translate has 0 numbers, which is not its number");
     CHECK(broken("scale(2))") == ":3: g: transform: a function was expected, got )");
+    CHECK(broken("translate(1),") == ":3: g: transform: a function was expected after the comma");
+    CHECK(broken("translate(1),,scale(2)") == ":3: g: transform: a function was expected, got ,scale(2)");
+    CHECK(broken(",translate(1)") == ":3: g: transform: a function was expected, got ,translate(1)");
+    CHECK(broken("translate(1,)") == ":3: g: transform: a number was expected, got )");
+    CHECK(broken("translate(1em)") == ":3: g: transform: unknown unit em");
+    CHECK(broken("rotate(1px)") == ":3: g: transform: unknown unit px");
+    CHECK(broken("translate(nan)") == ":3: g: transform: a number was expected, got nan)");
+    CHECK(broken("translate3d(1,2,3)") == ":3: g: transform: ( was expected");
     CHECK(broken("scale(1e400)") == ":3: g: transform: a number must be finite, got 1e400");
 }
 
@@ -165,9 +187,8 @@ TEST_CASE("what is not XML, or not a drawing") {
     CHECK(fault_of("<svg>\n<g a='<'/></svg>") == ":2: not XML: < in the value of an attribute");
     CHECK(fault_of("<svg>\n<g a='1' b='2' a='3'/></svg>").substr(0, 49) ==
           ":1: svg: there must be a viewBox, or width and he");
-    CHECK(warnings_of(
-              "<svg viewBox='0 0 9 9'>\n<g a='1' b='2' a='3'/><circle class='ball' cx='3' cy='3' r='1'/></svg>") ==
-          "2! not XML: the attribute a stands twice in g");
+    CHECK(warnings_of("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'>\n<g a='1' b='2' a='3'/><circle "
+                      "class='ball' cx='3' cy='3' r='1'/></svg>") == "2! not XML: the attribute a stands twice in g");
     CHECK(fault_of("<svg/>\n<svg/>") == ":2: not XML: a second root element, svg");
     CHECK(fault_of("<html/>") == ":1: html: the root element must be svg");
     CHECK(fault_of(std::string("<svg>\n\0</svg>", 13)) == ":2: not XML: it holds a NUL byte");
@@ -229,7 +250,8 @@ TEST_CASE("a ball that is moved out of one wall into another does not fit") {
 
 TEST_CASE("the first fault is the one on the first line, check finds them all") {
     std::string const text =
-        "<svg viewBox='0 0 9 9' data-gravity='x'>\n<circle class='ball' cx='3' cy='3' r='1' data-mass='0' "
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' data-gravity='x'>\n<circle class='ball' cx='3' "
+        "cy='3' r='1' data-mass='0' "
         "data-inertia='2'/>\n<circle class='banana' r='0'/>\n<path class='terrain' d='M0'/></svg>";
     CHECK(fault_of(text) == ":1: svg: data-gravity must be a number, got x");
     CHECK(warnings_of(text) ==
