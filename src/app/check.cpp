@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "level/level.h"
+#include "level/notes.h"
 #include "physics/needs.h"
 
 namespace app {
@@ -33,6 +34,7 @@ std::string clause_of(physics::Reason const& reason, level::Level const& level) 
 std::vector<std::string> notes_on(std::string const& file, game::MethodWish const& wish) {
     std::vector<std::string> notes;
     level::Level const level = level::read_level(file);
+    for (std::string const& note : level::notes_on(level)) notes.push_back(file + ": note: " + note);
     for (physics::Reason const& reason : physics::needs_of(level.scene))
         notes.push_back(file + ": needs " + physics::name_of(reason.need) + ": " + clause_of(reason, level));
     physics::Choice const choice = game::choice_for(wish, level.scene);

@@ -5,6 +5,7 @@
 
 #include "app/assets.h"
 #include "app/command.h"
+#include "app/opening.h"
 #include "app/output.h"
 #include "game/best_times.h"
 #include "level/level.h"
@@ -24,6 +25,7 @@ std::string best_in(std::map<std::string, double> const& times, level::Level con
 void list(std::vector<std::filesystem::path> const& files, std::map<std::string, double> const& times) {
     for (std::filesystem::path const& file : files) {
         level::Level const level = level::read_level(file.string());
+        note_misspellings(level);
         write_to_stdout(file.string() + "\t" + level.title + "\t" + best_in(times, level) + "\n");
     }
 }

@@ -2,6 +2,7 @@
 
 #include "app/output.h"
 #include "game/run_file.h"
+#include "game/tolerance.h"
 
 namespace app {
 
@@ -38,16 +39,33 @@ void note_changed_level(Opened const& opened) {
         note("smb2d: " + opened.file + ": the level " + opened.level->file + " has changed since this run was made");
 }
 
+void note_misspellings(level::Level const& level) {
+    for (level::Finding const& finding : level.misspellings)
+        note("smb2d: " + level.file + ":" + std::to_string(finding.line) + ": warning: " + finding.text);
+}
+
 void note_advice(Opened const& opened, game::MethodWish const& wish) {
     game::MethodWish const whole = whole_wish(opened, wish);
-    if (!whole.tolerance || whole.name.value_or("auto") != "auto") return;
+    if (!whole.tolerance) return;
+    bool const is_named = whole.name.value_or("auto") != "auto";
     physics::Choice const choice = game::choice_for(whole, opened.level->scene);
+    if (is_named && game::is_promised(choice.method, opened.level->scene)) return;
     note("smb2d: " + opened.file + ": method " + physics::name_of(choice.method) + ": " + choice.why);
 }
 
 game::Session session_for(Opened const& opened, game::MethodWish const& wish) {
     return game::session_of(opened.level, game::method_for(whole_wish(opened, wish), opened.level->scene),
                             opened.run.inputs, opened.file);
+}
+
+game::Session watched_session_for(Opened const& opened, game::MethodWish const& wish) {
+    game::Session session = session_for(opened, wish);
+    if (wish.tolerance) game::watch_tolerance(session, *wish.tolerance);
+    return session;
+}
+
+void expect_tolerance_kept(std::string const& file, game::Session const& session) {
+    if (auto const missed = game::missed_tolerance(session)) throw std::runtime_error(file + ": " + *missed);
 }
 
 game::Fraction duration_of(game::Run const& run) {

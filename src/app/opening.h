@@ -25,11 +25,20 @@ Opened opened(std::string const& file);
 // Says on standard error when the level is not the one that the run was made for.
 void note_changed_level(Opened const& opened);
 
-// Says on standard error which method is chosen for a tolerance, and why, where none is named.
+// Says on standard error which classes are a letter away from a role: what was meant to be a ball is none.
+void note_misspellings(level::Level const& level);
+
+// Says on standard error which method is chosen for a tolerance, and why, where none is named; and where the tolerance
+// is no more than an estimate.
 void note_advice(Opened const& opened, game::MethodWish const& wish);
 
-// What the command line asks for, else what the run was made with, else `auto`.
+// What the command line asks for, else what the run was made with, else `auto`. A tolerance is watched where it cannot
+// be promised, but not for the window, where what the player will do is not known.
 game::Session session_for(Opened const& opened, game::MethodWish const& wish);
+game::Session watched_session_for(Opened const& opened, game::MethodWish const& wish);
+
+// Throws std::runtime_error with what was reached where a tolerance that was watched has been missed.
+void expect_tolerance_kept(std::string const& file, game::Session const& session);
 
 // The run's duration, else 10 s.
 game::Fraction duration_of(game::Run const& run);

@@ -21,6 +21,7 @@ static_assert(game::PastLimits{}.shortest > view::camera_memory + 1 / game::lowe
 
 void open_session(PlayGame& game, Opened const& opening) {
     note_changed_level(opening);
+    note_misspellings(*opening.level);
     game.session = session_for(opening, game.wish);
     game.pace.ticks = 0;
     game.pace.rest = 0;
@@ -54,10 +55,16 @@ void take_over(PlayGame& game) {
     say(game, "You play on from here");
 }
 
+// Where the pointer that drags a ball is in the world, which depends on where the camera is.
+Vec2 pointer_at(PlayGame const& game, double time) {
+    view::Camera const camera = view::camera_at(game.stage->level, game.session.history, time, game.size, game.lens);
+    return view::world_of(camera, *game.held);
+}
+
 // Tells the session where the pointer is in the world now, be it because the camera has moved.
 void send_pointer(PlayGame& game) {
     if (!game.held) return;
-    Vec2 const point = view::world_of(camera_of(game), *game.held);
+    Vec2 const point = pointer_at(game, present_time(game));
     if (game.sent && *game.sent == point) return;
     game::act(game.session, game::Move{point});
     game.sent = point;
@@ -78,17 +85,23 @@ void note_goal(PlayGame& game) {
     if (game.noted || !game.session.goal_time || *game.session.goal_time > present_time(game)) return;
     game.noted = true;
     try {
-        if (game::note_time(game.stage->level, *game.session.goal_time) == game::Rank::best)
-            say(game, "Best time: " + view::written(*game.session.goal_time, 2) + " s");
+        game::Noted const noted = game::note_time(game.stage->level, *game.session.goal_time);
+        if (noted.rank == game::Rank::best) say(game, "Best time: " + view::written(*game.session.goal_time, 2) + " s");
+        if (noted.set_aside)
+            note("smb2d: the list of best times could not be read; it is kept as " + noted.set_aside->string());
     } catch (std::exception const& error) {
         say(game, std::string("The time was not kept: ") + error.what());
         note(std::string("smb2d: ") + error.what());
     }
 }
 
-// Up to the time that the pace shows.
-void let_time_pass(PlayGame& game) {
-    game::advance(game.session, present_time(game));
+// From the time that was shown before up to the one that the pace shows.
+void let_time_pass(PlayGame& game, double from) {
+    double const now = present_time(game);
+    if (game.held)
+        game::advance_held(game.session, from, now, [&](double time) { return pointer_at(game, time); });
+    else
+        game::advance(game.session, now);
     game::keep_past(game.session, present_time(game));
     note_goal(game);
 }
@@ -168,6 +181,12 @@ void release(PlayGame& game) {
     game.sent.reset();
 }
 
+void lose_focus(PlayGame& game) {
+    if (!game.held) return;
+    release(game);
+    say(game, "Let go: the window is no longer in front");
+}
+
 bool is_over_ball(PlayGame const& game, Vec2 const& pixel) { return ball_at(game, pixel).has_value(); }
 
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches) {
@@ -179,8 +198,9 @@ void single_step(PlayGame& game) {
     if (!game.pace.paused) return;
     send_pointer(game);
     lean(game, 1.0 / 60);
+    double const from = present_time(game);
     game.pace = game::after_single_step(game.pace);
-    let_time_pass(game);
+    let_time_pass(game, from);
 }
 
 void cycle_overlay(PlayGame& game) {
@@ -219,8 +239,9 @@ void pass(PlayGame& game, double elapsed) {
     double const simulated = static_cast<double>(next.ticks - before) / game::ticks_per_second;
     send_pointer(game);
     lean(game, simulated);
+    double const from = present_time(game);
     game.pace = next;
-    let_time_pass(game);
+    let_time_pass(game, from);
     if (!game.replay_end || present_time(game) < *game.replay_end) return;
     game.replay_end.reset();
     game.pace.paused = true;

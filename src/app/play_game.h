@@ -71,6 +71,8 @@ enum class Pressed { ball, nothing };
 Pressed press(PlayGame& game, Vec2 const& pixel);
 void move_pointer(PlayGame& game, Vec2 const& pixel);
 void release(PlayGame& game);
+// The window is no longer told what the pointer does, nor that its button comes up.
+void lose_focus(PlayGame& game);
 // Whether a press there would take hold of a ball.
 bool is_over_ball(PlayGame const& game, Vec2 const& pixel);
 

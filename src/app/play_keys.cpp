@@ -118,7 +118,12 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
         case SDL_QUIT:
             return Wish::quit;
         case SDL_WINDOWEVENT:
-            return event.window.event == SDL_WINDOWEVENT_CLOSE ? Wish::quit : Wish::stay;
+            if (event.window.event == SDL_WINDOWEVENT_CLOSE) return Wish::quit;
+            if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+                lose_focus(game);
+                window.release_pointer();
+            }
+            break;
         case SDL_KEYDOWN:
             game.lean = lean_of_keys();
             // Alt-Tab is the desktop's, and a key that is held down repeats single steps alone.

@@ -46,9 +46,8 @@ std::string badge_of(PlayGame const& game) {
 constexpr std::size_t most_foreseen_balls = 8;
 constexpr double foreseen = 1.6;  // s
 
-view::Foresight foresight_of(PlayGame const& game, view::Premise premise, game::Action const& action) {
+view::Foresight foresight_of(PlayGame const& game, view::Premise premise, physics::History const& coming) {
     physics::Pull const& pull = *game.session.world.forces.pull;
-    physics::History const coming = game::glimpse(game.session, action, foreseen);
     view::Foresight foresight =
         view::foresight_of(coming, game.stage->level.scene, pull.ball, shown_time(game), foreseen);
     foresight.premise = premise;
@@ -60,17 +59,14 @@ std::vector<view::Foresight> coming_of(PlayGame const& game) {
     if (!game.held || !game.session.world.forces.pull) return {};
     if (game.stage->level.scene.balls.size() > most_foreseen_balls) return {};
     Vec2 const pointer = view::world_of(camera_of(game), *game.held);
-    return {foresight_of(game, view::Premise::held, game::Move{pointer}),
-            foresight_of(game, view::Premise::let_go, game::Release{})};
+    return {foresight_of(game, view::Premise::held, game::glimpse_held(game.session, pointer, foreseen)),
+            foresight_of(game, view::Premise::let_go, game::glimpse(game.session, game::Release{}, foreseen))};
 }
 
 view::Moment moment_of(PlayGame const& game) {
-    view::Recall const recall = game.overlays.energy ? view::Recall::chart : view::Recall::nothing;
-    view::Moment moment = view::moment_at(game.stage->level, game.session.history, shown_time(game), recall);
+    view::Moment moment = view::moment_of(game.session, shown_time(game), view::recall_for(game.overlays));
     // What the player has just done shows at once, though a stepping method lets it act from the next step on.
-    moment.forces = game.looked_at ? game::forces_at(game.session, *game.looked_at) : game.session.world.forces;
-    moment.noticed_at = game.session.noticed_at;
-    moment.status = game::status_at(game.session, shown_time(game));
+    if (!game.looked_at) moment.forces = game.session.world.forces;
     moment.coming = coming_of(game);
     return moment;
 }

@@ -61,10 +61,10 @@ Craft craft_for(screen::Video& video, Size const& size) {
 }
 
 // What was recorded before a failure is named, unless the failure names it already.
-std::string with_part(std::string const& what, std::filesystem::path const& file, screen::Video const& video) {
-    std::string const part = screen::part_name(file).string();
-    if (video.frames() == 0 || what.find(part) != std::string::npos) return what;
-    return what + "; what was recorded until then is in " + part;
+std::string with_part(std::string const& what, screen::Video& video) {
+    auto const part = video.abandon();
+    if (!part || what.find(part->string()) != std::string::npos) return what;
+    return what + "; what was recorded until then is in " + part->string();
 }
 
 int record(SequenceOptions const& options) {
@@ -78,10 +78,11 @@ int record(SequenceOptions const& options) {
         craft_frames(sequence, craft_for(video, sequence.size));
         video.finish();
     } catch (Interrupted const& interruption) {
-        throw Interrupted(with_part(interruption.what(), options.output, video));
+        throw Interrupted(with_part(interruption.what(), video));
     } catch (std::runtime_error const& error) {
-        throw std::runtime_error(with_part(error.what(), options.output, video));
+        throw std::runtime_error(with_part(error.what(), video));
     }
+    expect_tolerance_kept(options.file, sequence.session);
     return done;
 }
 

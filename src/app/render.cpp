@@ -101,6 +101,7 @@ int render(RenderOptions const& options) {
         render_raw(sequence);
     else
         render_files(options, sequence, names, first);
+    expect_tolerance_kept(options.sequence.file, sequence.session);
     return done;
 }
 

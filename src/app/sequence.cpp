@@ -27,10 +27,12 @@ view::Overlays overlays_in(std::string const& list) {
     return *overlays;
 }
 
-long long count_of(game::Fraction const& from, game::Fraction const& to, game::Fraction const& rate) {
-    if (!(to.value() > from.value())) throw UsageError("there is nothing to show: --to must be greater than --from");
-    if ((to.value() - from.value()) * rate.value() > most_frames) throw UsageError("that would be over 1e9 frames");
-    return game::frames_between(from, to, rate);
+long long count_of(Sequence const& sequence, game::Fraction const& to, std::string const& rate) {
+    double const seconds = to.value() - sequence.from.value();
+    if (!(seconds > 0)) throw UsageError("there is nothing to show: --to must be greater than --from");
+    if (seconds * sequence.rate.value() > most_frames)
+        throw UsageError("--fps must make at most 1e9 frames of the time from --from to --to, got \"" + rate + "\"");
+    return game::frames_between(sequence.from, to, sequence.rate);
 }
 
 FrameOrder order_for(Sequence& sequence, long long frame) {
@@ -40,10 +42,7 @@ FrameOrder order_for(Sequence& sequence, long long frame) {
     game::forget_before(session, std::max(0.0, time - view::camera_memory));
     FrameOrder order;
     order.frame = frame;
-    order.moment = view::moment_at(*session.level, session.history, time);
-    order.moment.forces = game::forces_at(session, time);
-    order.moment.noticed_at = session.noticed_at;
-    order.moment.status = game::status_at(session, time);
+    order.moment = view::moment_of(session, time, view::recall_for(sequence.overlays));
     order.camera = view::camera_at(*session.level, session.history, time,
                                    geometry::Vec2(sequence.size.width, sequence.size.height));
     return order;
@@ -75,14 +74,15 @@ Sequence sequence_for(SequenceOptions const& options) {
     int const jobs = jobs_from(options.jobs);
     std::optional<game::Fraction> to;
     if (options.to) to = time_from("--to", *options.to);
-    if (to) count_of(sequence.from, *to, sequence.rate);
+    if (to) count_of(sequence, *to, options.rate);
     Opened const opening = opened(options.file);
     if (!options.quiet) {
         note_changed_level(opening);
+        note_misspellings(*opening.level);
         note_advice(opening, wish);
     }
-    sequence.session = session_for(opening, wish);
-    sequence.count = count_of(sequence.from, to ? *to : duration_of(opening.run), sequence.rate);
+    sequence.session = watched_session_for(opening, wish);
+    sequence.count = count_of(sequence, to ? *to : duration_of(opening.run), options.rate);
     sequence.jobs = static_cast<int>(std::min<long long>(jobs, sequence.count));
     sequence.stage = view::stage_of(*opening.level);
     return sequence;

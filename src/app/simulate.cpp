@@ -22,6 +22,13 @@ struct SimulateOptions {
     std::string format = "csv";
 };
 
+constexpr double most_rows = 1e9;
+
+void expect_few_rows(SimulateOptions const& options, game::Fraction const& every, game::Fraction const& to) {
+    if (!options.events && to.value() / every.value() > most_rows)
+        throw UsageError("--every must make at most 1e9 rows until --to, got \"" + options.every + "\"");
+}
+
 void print_rows(game::Session& session, game::Fraction const& every, double to, Trace& trace) {
     trace.header(Trace::Rows::times);
     for (long long i = 0;; ++i) {
@@ -61,18 +68,22 @@ int simulate(SimulateOptions const& options) {
     game::Fraction const every = positive_fraction_from("--every", options.every);
     std::optional<game::Fraction> to;
     if (options.to) to = time_from("--to", *options.to);
+    if (to) expect_few_rows(options, every, *to);
     if (options.format != "csv" && options.format != "json")
         throw UsageError("--format must be csv or json, got \"" + options.format + "\"");
     Opened const opening = opened(options.file);
     note_changed_level(opening);
+    note_misspellings(*opening.level);
     note_advice(opening, wish);
-    game::Session session = session_for(opening, wish);
-    double const end = (to ? *to : duration_of(opening.run)).value();
+    game::Session session = watched_session_for(opening, wish);
+    game::Fraction const end = to ? *to : duration_of(opening.run);
+    expect_few_rows(options, every, end);
     Trace trace(options.format == "json" ? Trace::Format::json : Trace::Format::csv);
     if (options.events)
-        print_events(session, end, trace);
+        print_events(session, end.value(), trace);
     else
-        print_rows(session, every, end, trace);
+        print_rows(session, every, end.value(), trace);
+    expect_tolerance_kept(options.file, session);
     return done;
 }
 

@@ -28,13 +28,14 @@ std::vector<std::string> differences_in(Opened const& opened, game::MethodWish c
     std::vector<std::string> differences;
     if (run.level_hash && *run.level_hash != opened.level->hash)
         differences.push_back(difference("level_hash", *run.level_hash, opened.level->hash));
-    game::Session session = session_for(opened, wish);
+    game::Session session = watched_session_for(opened, wish);
     if (!run.final) return differences;
     double const end = run.duration.value_or(run.final->time);
     if (end != run.final->time)
         differences.push_back(difference("time", seventeen_digits(run.final->time), seventeen_digits(end)));
     if (!run.final->state_hash) return differences;
     advance_in_stretches(session, end);
+    expect_tolerance_kept(opened.file, session);
     std::string const hash = game::state_hash(session, end);
     if (hash != *run.final->state_hash) differences.push_back(difference("state_hash", *run.final->state_hash, hash));
     return differences;
@@ -57,6 +58,8 @@ int verify(VerifyOptions const& options) {
         try {
             Opened const opening = opened(file);
             if (!opening.is_run) throw std::runtime_error(file + ": is a level, not a run");
+            note_misspellings(*opening.level);
+            note_advice(opening, wish);
             auto const differences = differences_in(opening, wish);
             if (!differences.empty()) status = fault_found;
             verdict = verdict_on(opening, differences) + "\n";

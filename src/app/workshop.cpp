@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
 #include "app/interrupt.h"
 #include "screen/offscreen.h"
@@ -18,10 +21,22 @@ constexpr auto patience = std::chrono::milliseconds(50);
 Workshop::Workshop(view::Stage const& stage, view::Overlays const& overlays, Craft const& craft, int workers)
     : stage_(stage), craft_(craft), room_(static_cast<std::size_t>(workers) + 1) {
     dressing_.overlays = overlays;
-    for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
+    workers_.reserve(static_cast<std::size_t>(workers));
+    try {
+        while (workers_.size() < static_cast<std::size_t>(workers)) workers_.emplace_back([this] { work(); });
+    } catch (std::system_error const& error) {
+        stop();
+        throw std::runtime_error("--jobs " + std::to_string(workers) + ": thread " +
+                                 std::to_string(workers_.size() + 1) + " cannot be started: " + error.code().message());
+    } catch (...) {
+        stop();
+        throw;
+    }
 }
 
-Workshop::~Workshop() {
+Workshop::~Workshop() { stop(); }
+
+void Workshop::stop() {
     {
         std::lock_guard const lock(mutex_);
         stopped_ = true;
@@ -91,10 +106,12 @@ void Workshop::hand_in(long long frame, std::vector<std::uint8_t> product) {
 }
 
 void Workshop::paint_orders() {
-    screen::Offscreen offscreen;
+    // Not before there is something to paint: by then every thread has been started, or none paints.
+    std::optional<screen::Offscreen> offscreen;
     while (auto const order = next_order()) {
+        if (!offscreen) offscreen.emplace();
         screen::Pixels const& pixels =
-            offscreen.paint(view::picture_of(stage_, order->moment, order->camera, dressing_));
+            offscreen->paint(view::picture_of(stage_, order->moment, order->camera, dressing_));
         hand_in(order->frame, craft_.make(order->frame, pixels));
     }
 }

@@ -22,7 +22,7 @@ struct FrameOrder {
 
 class Workshop {
 public:
-    // All that is passed must outlive the workshop.
+    // All that is passed must outlive the workshop. Throws std::runtime_error where a thread cannot be started.
     Workshop(view::Stage const& stage, view::Overlays const& overlays, Craft const& craft, int workers);
     // Frames that are being painted are finished, orders that wait are dropped.
     ~Workshop();
@@ -37,6 +37,7 @@ public:
     long long finished();  // frames
 
 private:
+    void stop();
     void work();
     void paint_orders();
     std::optional<FrameOrder> next_order();

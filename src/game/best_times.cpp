@@ -18,6 +18,40 @@ std::optional<std::filesystem::path> best_file() {
     return *folder / "best.json";
 }
 
+struct Listed {
+    std::map<std::string, double> times;
+    bool spoilt = false;  // the file holds something that the times do not
+};
+
+Listed listed() {
+    Listed list;
+    auto const file = best_file();
+    std::error_code missing;
+    if (!file || !std::filesystem::is_regular_file(*file, missing)) return list;
+    try {
+        auto const root = nlohmann::json::parse(read_whole_file(file->string(), 1u << 20));
+        list.spoilt = !root.is_object();
+        for (auto const& [hash, seconds] : root.items())
+            if (root.is_object() && seconds.is_number() && std::isfinite(seconds.get<double>()))
+                list.times[hash] = seconds.get<double>();
+            else
+                list.spoilt = true;
+    } catch (std::exception const&) {
+        return {{}, true};  // a spoilt list of records must not keep anyone from playing
+    }
+    return list;
+}
+
+// Gives the file another name that is free, and returns it; a link stays where it is.
+std::filesystem::path set_aside(std::filesystem::path const& file) {
+    std::filesystem::path const whole = behind_links(file.string());
+    std::filesystem::path aside = whole.string() + ".spoilt";
+    for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(aside)); ++i)
+        aside = whole.string() + ".spoilt-" + std::to_string(i);
+    std::filesystem::rename(whole, aside);
+    return aside;
+}
+
 }  // namespace
 
 std::optional<std::filesystem::path> data_folder() {
@@ -29,20 +63,7 @@ std::optional<std::filesystem::path> data_folder() {
     return std::nullopt;
 }
 
-std::map<std::string, double> best_times() {
-    std::map<std::string, double> times;
-    auto const file = best_file();
-    std::error_code missing;
-    if (!file || !std::filesystem::is_regular_file(*file, missing)) return times;
-    try {
-        auto const root = nlohmann::json::parse(read_whole_file(file->string(), 1u << 20));
-        for (auto const& [hash, seconds] : root.items())
-            if (seconds.is_number() && std::isfinite(seconds.get<double>())) times[hash] = seconds.get<double>();
-    } catch (std::exception const&) {
-        times.clear();  // a spoilt list of records must not keep anyone from playing
-    }
-    return times;
-}
+std::map<std::string, double> best_times() { return listed().times; }
 
 std::optional<double> best_time(level::Level const& level) {
     auto const times = best_times();
@@ -50,15 +71,17 @@ std::optional<double> best_time(level::Level const& level) {
     return found == times.end() ? std::nullopt : std::optional<double>(found->second);
 }
 
-Rank note_time(level::Level const& level, double seconds) {
-    auto times = best_times();
-    auto const [place, fresh] = times.try_emplace(level.hash, seconds);
-    if (!fresh && place->second <= seconds) return Rank::behind;
+Noted note_time(level::Level const& level, double seconds) {
+    Listed list = listed();
+    auto const [place, fresh] = list.times.try_emplace(level.hash, seconds);
+    if (!fresh && place->second <= seconds) return {Rank::behind, std::nullopt};
     place->second = seconds;
     auto const file = best_file();
     if (!file) throw std::runtime_error("the best time cannot be saved: neither XDG_DATA_HOME nor HOME is set");
-    write_whole_file(file->string(), nlohmann::json(times).dump(1) + "\n");
-    return Rank::best;
+    Noted noted{Rank::best, std::nullopt};
+    if (list.spoilt) noted.set_aside = set_aside(*file);
+    write_whole_file(file->string(), nlohmann::json(list.times).dump(1) + "\n");
+    return noted;
 }
 
 }  // namespace game

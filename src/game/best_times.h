@@ -19,7 +19,12 @@ std::map<std::string, double> best_times();
 std::optional<double> best_time(level::Level const& level);
 
 enum class Rank { best, behind };
-// Saves the time if the level had none or a longer one. Throws std::runtime_error where it cannot be saved.
-Rank note_time(level::Level const& level, double seconds);
+struct Noted {
+    Rank rank = Rank::behind;
+    std::optional<std::filesystem::path> set_aside;  // what the list that was there is called now, if it was spoilt
+};
+// Saves the time if the level had none or a longer one. A list that cannot be read to its end is set aside before.
+// Throws std::runtime_error where it cannot be saved.
+Noted note_time(level::Level const& level, double seconds);
 
 }  // namespace game

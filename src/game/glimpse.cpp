@@ -1,5 +1,7 @@
 #include "game/glimpse.h"
 
+#include <utility>
+
 #include "physics/predict.h"
 
 namespace game {
@@ -24,6 +26,15 @@ physics::History glimpse(Session const& session, std::optional<Action> const& ac
     Session trial = without_past(session);
     if (action) act(trial, *action);
     return physics::predicted(trial.method, trial.level->scene, trial.world, horizon);
+}
+
+physics::History glimpse_held(Session const& session, Vec2 const& pointer, double horizon) {
+    Session trial = without_past(session);
+    trial.noticed_at = session.noticed_at;
+    act(trial, Move{pointer});
+    double const now = session.world.time;
+    advance_held(trial, now, now + horizon, [&](double) { return pointer; });
+    return std::move(trial.history);
 }
 
 }  // namespace game

@@ -10,4 +10,7 @@ namespace game {
 // The legs and events from world.time to `horizon` seconds later, inputs that a run still holds left out.
 physics::History glimpse(Session const& session, std::optional<Action> const& action, double horizon);
 
+// The same while the player goes on holding the ball with the pointer where it is now in the world.
+physics::History glimpse_held(Session const& session, Vec2 const& pointer, double horizon);
+
 }  // namespace game

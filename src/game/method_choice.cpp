@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "game/tolerance.h"
 #include "physics/advice.h"
 #include "physics/exact.h"
 
@@ -31,8 +32,9 @@ double rate_within(double tolerance) {
     return std::clamp(usual * std::sqrt(usual_error / tolerance), usual, highest_tolerance_rate);
 }
 
-physics::Choice choice_for(MethodWish const& wish, physics::Scene const& scene) {
-    if (auto const objection = objection_to(wish)) throw std::runtime_error(*objection);
+namespace {
+
+physics::Choice named_or_chosen(MethodWish const& wish, physics::Scene const& scene) {
     if (wish.name == "article") return {physics::Article{wish.rate.value_or(physics::Article{}.rate)}, "it was named"};
     if (wish.name == "exact") return {physics::Exact{}, "it was named"};
     if (wish.name == "steps") {
@@ -41,6 +43,15 @@ physics::Choice choice_for(MethodWish const& wish, physics::Scene const& scene) 
     }
     physics::Choice choice = wish.tolerance ? physics::advice_for(scene, *wish.tolerance) : physics::choice_for(scene);
     if (auto* steps = std::get_if<physics::Steps>(&choice.method)) steps->rate = wish.rate.value_or(steps->rate);
+    return choice;
+}
+
+}  // namespace
+
+physics::Choice choice_for(MethodWish const& wish, physics::Scene const& scene) {
+    if (auto const objection = objection_to(wish)) throw std::runtime_error(*objection);
+    physics::Choice choice = named_or_chosen(wish, scene);
+    if (wish.tolerance && !is_promised(choice.method, scene)) choice.why += "; " + doubt_about(choice.method, scene);
     return choice;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "game/method_choice.h"
+#include "game/tolerance.h"
 #include "level/hash.h"
 
 namespace game {
@@ -88,6 +89,21 @@ void let_act(Session& session, Action const& action) {
     session.forces.push_back({session.world.time, *forces});
 }
 
+constexpr double moves_per_second = 60;
+
+// Of several multiples within one step of a stepping method, one move is enough.
+bool has_acted_now(Session const& session) {
+    return session.acted > 0 && session.inputs[session.acted - 1].time == session.world.time;
+}
+
+// A move, where the target of the pull would be another for it or may become so as the ball goes on.
+void move_along(Session& session, Vec2 const& pointer) {
+    auto const& pull = session.world.forces.pull;
+    if (!pull || has_acted_now(session)) return;
+    bool const is_drawn_in = target_for(session, pull->ball, pointer) != pointer;
+    if (is_drawn_in || pull->target != pointer) act(session, Move{pointer});
+}
+
 bool is_over(Session const& session, double time) {
     return session.goal_time || session.fall_time || (session.level->time_limit && time > *session.level->time_limit);
 }
@@ -104,15 +120,21 @@ void judge(Session& session, Event const& event) {
     if (meaning == level::Meaning::fall) session.fall_time = event.time;
 }
 
-void judge_from(Session& session, std::size_t first) {
-    for (std::size_t i = first; i < session.history.events.size(); ++i) judge(session, session.history.events[i]);
+// By time, not by place: a sensor's event stands before what else happened at its time. To judge one twice does
+// nothing.
+void judge_since(Session& session, double time) {
+    auto const& events = session.history.events;
+    auto const first =
+        std::partition_point(events.begin(), events.end(), [&](Event const& e) { return e.time < time; });
+    std::for_each(first, events.end(), [&](Event const& event) { judge(session, event); });
 }
 
 void advance_freely(Session& session, double until) {
-    std::size_t const known = session.history.events.size();
+    double const before = session.world.time;
     auto const fault = physics::advance(session.method, session.level->scene, session.world, until, session.history);
     if (fault) cannot_go_on(session, *fault);
-    judge_from(session, known);
+    judge_since(session, before);
+    if (session.watch) measure(*session.watch, session);
 }
 
 }  // namespace
@@ -133,7 +155,7 @@ Session session_of(std::shared_ptr<level::Level const> level, physics::Method co
     session.noticed_at.assign(session.level->scene.sensors.size(), physics::never);
     session.world = physics::world_at_start(method, session.level->scene, session.history);
     session.forces.push_back({0, session.world.forces});
-    judge_from(session, 0);
+    judge_since(session, 0);
     return session;
 }
 
@@ -153,6 +175,17 @@ void act(Session& session, Action const& action) {
     session.inputs.push_back({session.world.time, action});
     let_act(session, action);
     ++session.acted;
+}
+
+void advance_held(Session& session, double from, double until, Pointer const& pointer) {
+    double i = std::floor(from * moves_per_second);
+    while (i / moves_per_second <= from) ++i;
+    for (; i / moves_per_second <= until; ++i) {
+        double const time = i / moves_per_second;
+        advance(session, time);
+        move_along(session, pointer(time));
+    }
+    advance(session, until);
 }
 
 void forget_before(Session& session, double time) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,17 +20,20 @@ struct ForcesSince {
     physics::Forces forces;
 };
 
+struct ToleranceWatch;  // game/tolerance.h
+
 struct Session {
     std::shared_ptr<level::Level const> level;
     physics::Method method;
     physics::World world;
     physics::History history;
-    std::vector<Input> inputs;        // in order of time: those that have acted, then those to come
-    std::size_t acted = 0;            // how many have
-    std::vector<double> noticed_at;   // s, by sensor: when it first fired; never = not yet
-    std::deque<ForcesSince> forces;   // what acted when; the last is what acts now
-    std::optional<double> goal_time;  // s, by the rules: the first of these that happens ends the game
-    std::optional<double> fall_time;  // s
+    std::vector<Input> inputs;              // in order of time: those that have acted, then those to come
+    std::size_t acted = 0;                  // how many have
+    std::vector<double> noticed_at;         // s, by sensor: when it first fired; never = not yet
+    std::deque<ForcesSince> forces;         // what acted when; the last is what acts now
+    std::optional<double> goal_time;        // s, by the rules: the first of these that happens ends the game
+    std::optional<double> fall_time;        // s
+    std::shared_ptr<ToleranceWatch> watch;  // where a tolerance is to be kept that cannot be promised
 };
 
 // Throws std::runtime_error("run: inputs[2]: ...") for a grab of a ball that the level does not have; `run_file` is
@@ -44,6 +48,14 @@ void advance(Session& session, double until);
 // What the player does now, at world.time; it is recorded, and inputs to come are dropped. A move without a grab and
 // a grab of no ball are nothing.
 void act(Session& session, Action const& action);
+
+// Where the player's pointer is in the world at a time, m.
+using Pointer = std::function<Vec2(double time)>;
+
+// From `from`, up to where it was advanced before, on to `until` while the player holds a ball: as long as the pointer
+// is farther from it than the reach, a move at every whole multiple of 1/60 s places the target anew, so that it goes
+// along with the ball; one more when it has come within.
+void advance_held(Session& session, double from, double until, Pointer const& pointer);
 
 // Drops legs, events and forces that are not needed to answer from `time` on.
 void forget_before(Session& session, double time);

@@ -14,6 +14,8 @@ namespace game {
 
 namespace {
 
+constexpr int most_links = 40;
+
 [[noreturn]] void fail(std::string const& file, int error) {
     throw std::runtime_error(file + ": " + std::strerror(error));
 }
@@ -31,7 +33,21 @@ int error_of_writing(int descriptor, std::string_view bytes) {
 
 }  // namespace
 
-void write_whole_file(std::string const& file, std::string_view bytes) {
+std::string behind_links(std::string const& file) {
+    std::error_code error;
+    std::filesystem::path path(file);
+    // The system gives up after as many links itself.
+    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, error)); ++links) {
+        if (links == most_links) fail(file, ELOOP);
+        std::filesystem::path const target = std::filesystem::read_symlink(path, error);
+        if (error) fail(file, error.value());
+        path = path.parent_path() / target;  // an absolute target replaces the folder
+    }
+    return path.string();
+}
+
+void write_whole_file(std::string const& name, std::string_view bytes) {
+    std::string const file = behind_links(name);
     std::filesystem::path const path(file);
     if (path.has_parent_path()) {
         std::error_code error;

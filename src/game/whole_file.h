@@ -6,8 +6,12 @@
 
 namespace game {
 
-// Makes the folder when it is missing. On failure throws std::runtime_error("file: why"); what bore the name before
-// is then still there and nothing is left beside it.
+// The file that a name leads to: where it is a link, what that points at, be it there or not. Throws
+// std::runtime_error for links without end.
+std::string behind_links(std::string const& file);
+
+// Makes the folder when it is missing. A link stays one: what it points at is written. On failure throws
+// std::runtime_error("file: why"); what bore the name before is then still there and nothing is left beside it.
 void write_whole_file(std::string const& file, std::string_view bytes);
 
 // Throws std::runtime_error("file: why"); a file over `limit` bytes is refused.

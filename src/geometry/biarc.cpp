@@ -14,6 +14,8 @@ constexpr int most_halvings = 24;
 constexpr int samples = 16;                 // points of the curve that must lie near its two arcs
 constexpr double sampled_share = 0.9;       // of the tolerance, for what lies between the samples
 constexpr double straight_ratio = 1e6;      // radius over chord; beyond it an arc's centre is too far to place its ends
+constexpr double widest_radius = 1e6;       // m, of terrain; a flatter arc is taken as straight, and must be near so
+constexpr double tiny_share = 1e-3;         // of the tolerance: a piece this short is not looked into
 constexpr double rounding = 1e-12;          // of the curve's size: nearer than this is the same
 constexpr double smallest_agreement = 0.5;  // cosine between tangents within one pair of arcs
 
@@ -55,6 +57,7 @@ Curve tangent_arc(Vec2 const& from, Vec2 const& tangent, Vec2 const& to) {
     double const reach = dot(chord, chord);
     if (std::abs(across) * 2 * straight_ratio <= std::sqrt(reach)) return Segment{from, to};
     double const signed_radius = reach / (2 * across);
+    if (std::abs(signed_radius) > widest_radius) return Segment{from, to};
     Vec2 const outward = turned_right(tangent) * signed_radius;
     return Arc{from - outward, std::abs(signed_radius), arctangent(outward.y(), outward.x()),
                2 * arctangent(across, dot(tangent, chord))};
@@ -71,15 +74,26 @@ std::vector<Curve> biarc(Vec2 const& p, Vec2 const& tangent_p, Vec2 const& q, Ve
     return {tangent_arc(p, tangent_p, joint), reversed(tangent_arc(q, -tangent_q, joint))};
 }
 
+// From the line or the whole circle that a curve is part of.
+double distance_to_whole(Curve const& curve, Vec2 const& point) {
+    if (auto const* arc = std::get_if<Arc>(&curve)) return std::abs(length(point - arc->centre) - arc->radius);
+    auto const& segment = std::get<Segment>(curve);
+    Vec2 const way = segment.end - segment.start;
+    return std::abs(wedge(way, point - segment.start)) / length(way);
+}
+
+// Whether the samples lie near the pair, each near the arc on its side of the joint. What fails does so early, in the
+// middle or at a quarter.
 template <typename Path>
-double deviation(Path const& path, double low, double high, std::vector<Curve> const& pair) {
-    double worst = 0;
-    for (int i = 1; i < samples; ++i) {
+bool stays_near(Path const& path, double low, double high, std::vector<Curve> const& pair, double tolerance) {
+    constexpr int order[] = {4, 12, 8, 2, 6, 10, 14, 1, 3, 5, 7, 9, 11, 13, 15};
+    Vec2 const joint = end_of(pair[0]), chord = end_of(pair[1]) - start_of(pair[0]);
+    for (int const i : order) {
         Vec2 const point = path.at(low + (high - low) * i / samples);
-        worst =
-            std::max(worst, std::min(nearest_point(pair[0], point).distance, nearest_point(pair[1], point).distance));
+        Curve const& near = pair[dot(point - joint, chord) < 0 ? 0 : 1];
+        if (!(distance_to_whole(near, point) <= tolerance)) return false;
     }
-    return worst;
+    return true;
 }
 
 // Whether the piece turns so little that a pair of arcs can follow it without a loop or a fold.
@@ -93,22 +107,32 @@ bool is_gentle(Path const& path, double low, double high) {
     return true;
 }
 
+// A straight step over a piece that is shorter than any curve shows; such steps in a row are one.
+void add_tiny(Vec2 const& start, Vec2 const& end, double tiny, std::vector<Curve>& arcs) {
+    if (same(start, end)) return;
+    auto* before = arcs.empty() ? nullptr : std::get_if<Segment>(&arcs.back());
+    if (before != nullptr && length(before->end - before->start) <= 2 * tiny)
+        before->end = end;
+    else
+        arcs.push_back(Segment{start, end});
+}
+
 template <typename Path>
 void add_arcs(Path const& path, double low, double high, double tolerance, int halvings, std::vector<Curve>& arcs) {
     Vec2 const start = path.at(low);
     Vec2 const end = path.at(high);
-    if (halvings == most_halvings) {
-        if (!same(start, end)) arcs.push_back(Segment{start, end});
-        return;
-    }
+    double const middle = 0.5 * (low + high);
+    double const tiny = tiny_share * tolerance;
+    Vec2 const between = path.at(middle);
+    bool const is_tiny = length(between - start) + length(end - between) <= tiny;
+    if (is_tiny || halvings == most_halvings) return add_tiny(start, end, tiny, arcs);
     if (is_gentle(path, low, high)) {
         std::vector<Curve> const pair = biarc(start, path.tangent(low, 1), end, path.tangent(high, -1));
-        if (deviation(path, low, high, pair) <= sampled_share * tolerance) {
+        if (stays_near(path, low, high, pair, sampled_share * tolerance)) {
             arcs.insert(arcs.end(), pair.begin(), pair.end());
             return;
         }
     }
-    double const middle = 0.5 * (low + high);
     add_arcs(path, low, middle, tolerance, halvings + 1, arcs);
     add_arcs(path, middle, high, tolerance, halvings + 1, arcs);
 }
@@ -155,13 +179,16 @@ std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2,
     // Inflections and cusps: rate ^ bend = 0, a quadratic in t.
     std::vector<double> ends =
         roots_within_one(wedge(cubic.c1, cubic.c2), 3 * wedge(cubic.c1, cubic.c3), 3 * wedge(cubic.c2, cubic.c3));
-    ends.push_back(1);
     std::vector<Curve> arcs;
     double start = 0;
     for (double const end : ends) {
-        if (end > start) add_arcs(cubic, start, end, tolerance, 0, arcs);
+        // A handle drawn in to its end has its double root there, and rounding moves it into the curve.
+        double const nearest = std::min(length(cubic.at(end) - cubic.at(start)), length(p3 - cubic.at(end)));
+        if (nearest <= tiny_share * tolerance) continue;
+        add_arcs(cubic, start, end, tolerance, 0, arcs);
         start = end;
     }
+    add_arcs(cubic, start, 1, tolerance, 0, arcs);
     return arcs;
 }
 

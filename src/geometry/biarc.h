@@ -10,7 +10,8 @@ namespace geometry {
 inline constexpr double drawing_tolerance = 1e-3;  // m, how far an arc may leave the curve it stands for
 
 // Each answer runs from the first point to the last, end to start; it is empty where the curve is a single point.
-// Tangents agree at the joints except at the cusps of the curve itself.
+// Tangents agree at the joints except at the cusps of the curve itself, and to 1e-3 rad where the curve is flatter than
+// a circle of 1e6 m: there its arcs are straight lines.
 std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2, Vec2 const& p3,
                                  double tolerance = drawing_tolerance);
 std::vector<Curve> arcs_of_quadratic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2,

@@ -28,7 +28,7 @@ constexpr std::array<Rule, 15> rules = {{
     {"data-friction", 0, no_limit, false, "at least 0"},
     {"data-restitution", 0, 1, false, "from 0 to 1"},
     {"data-rolling-resistance", 0, no_limit, false, "at least 0"},
-    {"data-curve-tolerance", 0, no_limit, true, "greater than 0"},
+    {"data-curve-tolerance", least_curve_tolerance, no_limit, false, "at least 1e-6 m"},
     {"data-gravity", 0, most_metres, false, "from 0 to 1e6"},
     {"data-time-limit", 0, no_limit, true, "greater than 0"},
     {"data-drag-frequency", 0, most_metres, false, "from 0 to 1e6"},

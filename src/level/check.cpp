@@ -175,7 +175,7 @@ private:
         if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) return disc->centre;
         if (auto const* line = std::get_if<physics::LineRegion>(&region)) return (line->from + line->to) / 2;
         auto const& corners = std::get<physics::PolygonRegion>(region).corners;
-        return (corners[0] + corners[2]) / 2;
+        return (corners[0] + corners[corners.size() / 2]) / 2;
     }
 
     bool in_view(Vec2 const& point) const {

@@ -4,14 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "level/encoding.h"
 #include "level/hash.h"
+#include "level/namespaces.h"
+#include "level/roles.h"
 #include "level/scan.h"
 
 namespace level {
 
 namespace {
-
-constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 
 // pugixml speaks in sentences with a capital letter.
 std::string reason(pugi::xml_parse_result const& result) {
@@ -29,8 +30,23 @@ Document::Document(std::string const& file, Report& report) {
         return;
     }
     hash_ = fnv1a_hex(std::as_bytes(std::span<char const>(bytes.data(), bytes.size())));
-    text_ = utf8_of(std::move(bytes));
+    Decoded text;
+    try {
+        text = decoded(unpacked(std::move(bytes)));
+    } catch (Broken const& broken) {
+        report.fault(1, broken.what());
+        return;
+    }
+    text_ = std::move(text.text);
     lines_ = Lines(text_);
+    if (text_.size() > largest_file) {
+        report.fault(1, "svg: the file must unpack to at most 64 MB, got more");
+        return;
+    }
+    if (!text.wrong.empty()) {
+        report.fault(lines_.line_at(static_cast<std::ptrdiff_t>(text_.size())), "not XML: " + text.wrong);
+        return;
+    }
     if (auto const objection = objection_to(text_)) {
         report.fault(lines_.line_at(objection->offset), objection->what);
         return;
@@ -47,19 +63,23 @@ void Document::parse(Report& report) {
         return;
     }
     root_ = tree_.document_element();
-    find_prefix();
-    report_doubled_attributes(report);
-    if (tag_of(root_) == "svg") return;
-    report.fault(line_of(root_), quoted(root_.name()) + ": the root element must be svg");
-    root_ = {};
-}
-
-void Document::find_prefix() {
-    for (pugi::xml_attribute const attribute : root_.attributes()) {
-        std::string_view const name = attribute.name();
-        if (name.substr(0, 6) == "xmlns:" && attribute.value() == svg_namespace)
-            prefix_ = std::string(name.substr(6)) + ":";
+    Namespace const own = namespace_of_root(root_);
+    std::string_view const name = root_.name();
+    bool const is_svg = name.substr(name.find(':') + 1) == "svg";
+    if (!is_svg || own == Namespace::other) {
+        std::string const what =
+            is_svg ? ": the root element is of a namespace that is not SVG's" : ": the root element must be svg";
+        report.fault(line_of(root_), quoted(name) + what);
+        root_ = {};
+        return;
     }
+    if (own == Namespace::none)
+        report.warn(line_of(root_), "svg: without xmlns=\"http://www.w3.org/2000/svg\" browsers show nothing");
+    report_doubled_attributes(report);
+    for (Foreign const& foreign : without_foreign(root_))
+        if (!roles_in(foreign.classes).empty())
+            report.warn(lines_.line_at(foreign.offset),
+                        quoted(foreign.name) + ": is of another namespace and counts for nothing");
 }
 
 void Document::report_doubled_attributes(Report& report) const {
@@ -72,14 +92,6 @@ void Document::report_doubled_attributes(Report& report) const {
         if (twice != names.end())
             report.fault(line_of(node), "not XML: the attribute " + quoted(*twice) + " stands twice in " + node.name());
     }
-}
-
-std::string_view Document::tag_of(pugi::xml_node node) const {
-    if (node.type() != pugi::node_element) return {};
-    std::string_view const name = node.name();
-    if (name.find(':') == std::string_view::npos) return name;
-    if (!prefix_.empty() && name.substr(0, prefix_.size()) == prefix_) return name.substr(prefix_.size());
-    return {};
 }
 
 pugi::xml_node next_within(pugi::xml_node node, pugi::xml_node top) {

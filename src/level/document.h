@@ -21,12 +21,13 @@ public:
     std::string const& hash() const { return hash_; }
     int line_of(pugi::xml_node node) const { return lines_.line_at(node.offset_debug()); }
 
-    // The name without the prefix of SVG's namespace; empty for text, comments and elements of other namespaces.
-    std::string_view tag_of(pugi::xml_node node) const;
+    // The name without its prefix; empty for text and comments. Elements of other namespaces are not in the tree.
+    static std::string_view tag_of(pugi::xml_node node) {
+        return node.type() == pugi::node_element ? std::string_view(node.name()) : std::string_view();
+    }
 
 private:
     void parse(Report& report);
-    void find_prefix();
     void report_doubled_attributes(Report& report) const;
 
     std::string hash_;
@@ -34,7 +35,6 @@ private:
     Lines lines_{std::string()};
     pugi::xml_document tree_;
     pugi::xml_node root_;
-    std::string prefix_;  // with its colon
 };
 
 // The next element in the order of the file, below `top` alone; empty at the end.

@@ -8,17 +8,26 @@
 
 #include "level/attributes.h"
 #include "level/document.h"
+#include "level/outlines.h"
 #include "level/reading.h"
 #include "level/style.h"
 #include "level/transform.h"
 
 namespace level {
 
+// Whether an element stands in the drawing, is what a use refers to, or stands within that.
+enum class Copy { none, itself, within };
+
 // What an element has from itself and all that holds it.
 struct Context {
     Affine to_world;
     Inherited inherited;
     Style style;
+    std::optional<Role> role;            // of the nearest group that has one
+    ReferenceBox viewport;               // what per cent are of
+    std::optional<geometry::Box> shown;  // m, what a nested svg shows of it
+    Copy copy = Copy::none;
+    std::string_view id;  // of a copy, that of its use
 };
 
 class Elements {
@@ -31,11 +40,19 @@ public:
     // Adds what the element is to the level, or its faults to the report.
     void read(pugi::xml_node node, std::string_view tag, Context const& context);
 
+    // The role that a group's class gives to what it holds.
+    std::optional<Role> role_of_group(pugi::xml_node node) const;
+
+    // What transform-origin is measured from, by transform-box. Throws Broken.
+    ReferenceBox reference_box(pugi::xml_node node, std::string_view tag, std::string_view box,
+                               Context const& context) const;
+
     // How findings name an element: by its role, else by its tag.
     std::string label(pugi::xml_node node, std::string_view tag) const;
 
     int balls_met() const { return balls_met_; }                  // sound or not
     std::vector<int> const& players() const { return players_; }  // balls with the id player
+    std::vector<int> const& copied_players() const { return copied_players_; }
     std::vector<physics::Piece> const& pieces() const { return pieces_; }
 
 private:
@@ -48,6 +65,8 @@ private:
         std::optional<Role> role;
     };
 
+    void inspect_name(pugi::xml_node node, std::string const& name);
+    void inspect_look(Element const& element);
     void inspect_class(pugi::xml_node node, std::string const& name);
     void inspect_data(Element const& element, Role role);
     void read_role(Element const& element, Role role);
@@ -57,15 +76,16 @@ private:
     void read_goal(Element const& element);
     void read_decoration(Element const& element);
 
-    physics::DiscRegion disc_of(Element const& element) const;
-    std::optional<physics::Region> goal_region(Element const& element);
+    physics::DiscRegion disc(Element const& element) const;
     double number(Element const& element, Data data, double otherwise);
     Vec2 velocity(Element const& element);
     double tolerance(Element const& element);
+    Traced traced_within_limits(Element const& element, Shape const& shape);
     void add_sensor(physics::Sensor sensor, Meaning meaning, int line);
     void fault(Element const& element, std::string const& what) {
         reading_.report.fault(element.line, element.label + ": " + what);
     }
+    void fault_of_place(Element const& element, TooFar const& far);
     void warn(Element const& element, std::string const& what) {
         reading_.report.warn(element.line, element.label + ": " + what);
     }
@@ -73,8 +93,9 @@ private:
     Document const& document_;
     Reading& reading_;
     std::vector<physics::Piece> pieces_;
-    std::vector<int> players_;
-    int balls_met_ = 0;
+    std::vector<int> players_, copied_players_;
+    std::size_t pieces_met_ = 0;
+    int balls_met_ = 0, sensor_elements_ = 0;
 };
 
 }  // namespace level

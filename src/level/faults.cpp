@@ -5,10 +5,21 @@
 
 namespace level {
 
-void Report::add(Finding finding) {
+namespace {
+
+void append_once(std::vector<Finding>& findings, Finding finding) {
     bool const again =
-        !findings_.empty() && findings_.back().line == finding.line && findings_.back().text == finding.text;
-    if (!again) findings_.push_back(std::move(finding));
+        !findings.empty() && findings.back().line == finding.line && findings.back().text == finding.text;
+    if (!again) findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void Report::add(Finding finding) { append_once(findings_, std::move(finding)); }
+
+void Report::warn_always(int line, std::string text) {
+    append_once(misspellings_, {line, text, false});
+    warn(line, std::move(text));
 }
 
 std::vector<Finding> Report::by_line() const {

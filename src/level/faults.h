@@ -20,17 +20,26 @@ struct Unsupported : Broken {
     using Broken::Broken;
 };
 
+// Thrown for a place beyond the limit: whoever knows the element adds the attribute's name.
+struct TooFar : Broken {
+    using Broken::Broken;
+};
+
 // Findings in the order in which they were met; equal ones once.
 class Report {
 public:
     void fault(int line, std::string text) { add({line, std::move(text), true}); }
     void warn(int line, std::string text) { add({line, std::move(text), false}); }
+    // A warning that nobody should need to ask for.
+    void warn_always(int line, std::string text);
     std::vector<Finding> const& findings() const { return findings_; }
+    std::vector<Finding> const& misspellings() const { return misspellings_; }
     std::vector<Finding> by_line() const;
 
 private:
     void add(Finding finding);
     std::vector<Finding> findings_;
+    std::vector<Finding> misspellings_;
 };
 
 // What was found in place of what was wanted: on one line, printable, and not too long.

@@ -73,7 +73,8 @@ std::optional<Frame> frame_of(Document const& document, Report& report) {
     try {
         ViewBox const box = view_box_of(document.root());
         Frame const frame{{metres, 0, 0, -metres, -box.x * metres, (box.y + box.height) * metres},
-                          Vec2(box.width, box.height) * metres};
+                          Vec2(box.width, box.height) * metres,
+                          {Vec2::Zero(), {box.width, box.height}}};
         for (double const extent : {frame.size.x(), frame.size.y(), frame.to_world.e, frame.to_world.f})
             if (!(std::abs(extent) <= most_metres))
                 throw Broken("the viewBox must lie within 1e6 m, got " + shown(extent));

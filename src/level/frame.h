@@ -13,6 +13,7 @@ namespace level {
 struct Frame {
     Affine to_world;           // from the drawing's units, y down, to metres, y up
     Vec2 size = Vec2::Zero();  // m
+    ReferenceBox view_box;     // in the drawing's units; its corner is their origin, as SVG has it
 };
 
 // None where the root says neither viewBox nor width and height; reported.

@@ -33,6 +33,14 @@ bool holds(geometry::Box const& box, Vec2 const& point) { return geometry::overl
 
 }  // namespace
 
+Vec2 point_along(geometry::Curve const& curve, double share) {
+    if (auto const* segment = std::get_if<geometry::Segment>(&curve))
+        return segment->start + share * (segment->end - segment->start);
+    auto const& arc = std::get<geometry::Arc>(curve);
+    geometry::SineCosine const turn = geometry::sine_cosine(arc.from + share * arc.sweep);
+    return arc.centre + arc.radius * Vec2(turn.cosine, turn.sine);
+}
+
 geometry::Box box_of(std::span<Outline const> outlines) {
     geometry::Box box;
     for (Outline const& outline : outlines)

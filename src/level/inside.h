@@ -11,6 +11,9 @@ namespace level {
 // has it. The point must not lie on an outline.
 int winding_round(std::span<Outline const> outlines, Vec2 const& point);
 
+// The point after a share of the curve, from 0 to 1.
+Vec2 point_along(geometry::Curve const& curve, double share);
+
 geometry::Box box_of(std::span<Outline const> outlines);
 
 }  // namespace level

@@ -12,6 +12,7 @@ Level read_level(std::string const& file) {
     Reading reading = reading_of(file);
     for (Finding const& finding : reading.report.by_line())
         if (finding.fault) throw std::runtime_error(file + ":" + std::to_string(finding.line) + ": " + finding.text);
+    reading.level.misspellings = reading.report.misspellings();
     return std::move(reading.level);
 }
 

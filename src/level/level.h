@@ -28,30 +28,34 @@ struct Decoration {
     double opacity = 1;
 };
 
+struct Finding {
+    int line = 0;
+    std::string text;    // "element: what"
+    bool fault = false;  // else a warning
+};
+
 struct Level {
     std::string title;
     std::string file;      // the path it was read from
     std::string hash;      // FNV-1a of the file's bytes, 16 hex digits
     physics::Scene scene;  // scene.sensors[i] means meanings[i]
     std::vector<Meaning> meanings;
+    std::vector<int> sensor_elements;        // by sensor: which drawn element it is; a goal may have several parts
     std::vector<std::string> surface_names;  // by Piece::surface: the element's id or its number in the file
     int player = 0;                          // index of the player's ball
     Vec2 size = Vec2::Zero();                // m, of the viewBox; its lower left corner is the origin
+    double metres_per_unit = 1;              // of the drawing
     std::optional<double> time_limit;        // s
     double drag_reach = 4;                   // m
     double tilt_limit = 0.4;                 // rad
     std::vector<Outline> outlines;           // of the terrain
     std::vector<Decoration> decorations;
+    std::vector<Finding> misspellings;  // classes a letter away from a role, of which every command warns
 };
 
 // Throws std::runtime_error("file:line: element: what") for the first fault (formats.md section 3).
 Level read_level(std::string const& file);
 
-struct Finding {
-    int line = 0;
-    std::string text;    // "element: what"
-    bool fault = false;  // else a warning
-};
 // Every fault that can be reached, then what is legal but suspicious; in order of lines.
 std::vector<Finding> findings_in(std::string const& file);
 

@@ -51,13 +51,21 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(spaces) - first + 1);
 }
 
-std::vector<std::string_view> words_of(std::string_view text) {
+Words::Iterator::Iterator(std::string_view rest) : rest_(rest) { ++*this; }
+
+Words::Iterator& Words::Iterator::operator++() {
+    std::size_t const first = rest_.find_first_not_of(spaces);
+    word_ = {};
+    if (first == std::string_view::npos) return *this;
+    std::size_t const end = std::min(rest_.find_first_of(spaces, first), rest_.size());
+    word_ = rest_.substr(first, end - first);
+    rest_ = rest_.substr(end);
+    return *this;
+}
+
+std::vector<std::string_view> word_list(std::string_view text) {
     std::vector<std::string_view> words;
-    for (std::size_t at = text.find_first_not_of(spaces); at != std::string_view::npos;) {
-        std::size_t const end = std::min(text.find_first_of(spaces, at), text.size());
-        words.push_back(text.substr(at, end - at));
-        at = text.find_first_not_of(spaces, end);
-    }
+    for (std::string_view const word : words_of(text)) words.push_back(word);
     return words;
 }
 

@@ -43,7 +43,27 @@ std::optional<std::vector<double>> parsed_list(std::string_view text);
 
 std::string_view trimmed(std::string_view text);
 
-// Text in words at white space.
-std::vector<std::string_view> words_of(std::string_view text);
+// Text in words at white space, found one by one: a list of them may be larger than the text.
+class Words {
+public:
+    class Iterator {
+    public:
+        explicit Iterator(std::string_view rest);
+        std::string_view operator*() const { return word_; }
+        Iterator& operator++();
+        bool operator!=(Iterator const& other) const { return word_.data() != other.word_.data(); }
+
+    private:
+        std::string_view word_, rest_;  // both without data at the end
+    };
+    explicit Words(std::string_view text) : text_(text) {}
+    Iterator begin() const { return Iterator(text_); }
+    Iterator end() const { return Iterator({}); }
+
+private:
+    std::string_view text_;
+};
+inline Words words_of(std::string_view text) { return Words(text); }
+std::vector<std::string_view> word_list(std::string_view text);
 
 }  // namespace level

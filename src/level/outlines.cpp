@@ -17,13 +17,6 @@ using geometry::Segment;
 
 namespace {
 
-// Curves made into arcs are straight where the arc is flatter than the limit allows.
-Curve within_limits(Curve const& curve) {
-    auto const* arc = std::get_if<geometry::Arc>(&curve);
-    if (arc == nullptr || arc->radius <= most_metres) return curve;
-    return Segment{geometry::start_of(curve), geometry::end_of(curve)};
-}
-
 // Whether the control points lie on the chord and in its order, so that the curve is the chord itself.
 bool is_straight(Vec2 const& a, Vec2 const& first, Vec2 const& second, Vec2 const& b) {
     constexpr double slack = 1e-9;  // m, far below the tolerance of any curve
@@ -130,13 +123,13 @@ private:
         bool const point =
             geometry::length(first - a) + geometry::length(second - a) + geometry::length(b - a) <= shortest_piece;
         if (point) return;
-        for (Curve const& piece : geometry::arcs_of_cubic(a, first, second, b, tolerance_)) keep(within_limits(piece));
+        for (Curve const& piece : geometry::arcs_of_cubic(a, first, second, b, tolerance_)) keep(piece);
     }
 
     void append_ellipse(geometry::EllipticArc const& arc) {
         checked_radius(geometry::length(arc.first));
         checked_radius(geometry::length(arc.second));
-        for (Curve const& piece : geometry::arcs_of_ellipse(arc, tolerance_)) keep(within_limits(piece));
+        for (Curve const& piece : geometry::arcs_of_ellipse(arc, tolerance_)) keep(piece);
     }
 
     double checked_radius(double radius) const {
@@ -160,7 +153,7 @@ private:
 Vec2 placed(Affine const& to_world, Vec2 const& point) {
     Vec2 const place = mapped(to_world, point);
     for (double const x : {place.x(), place.y()})
-        if (!(std::abs(x) <= most_metres)) throw Broken("a coordinate must be at most 1e6 m, got " + shown(x));
+        if (!(std::abs(x) <= most_metres)) throw TooFar("a coordinate must be at most 1e6 m, got " + shown(x));
     return place;
 }
 

@@ -15,10 +15,11 @@ struct Traced {
 };
 
 // Lines and circles stay what they are, and circular arcs under a similarity; every other curve becomes arcs within
-// `tolerance` (m) of it that join with equal tangents. Throws Broken where a coordinate is beyond the limit.
+// `tolerance` (m) of it that join with equal tangents. Throws TooFar where a coordinate is beyond the limit,
+// Broken where a radius is.
 Traced traced(Shape const& shape, Affine const& to_world, double tolerance);
 
-// A point in the world. Throws Broken where it is beyond the limit.
+// A point in the world. Throws TooFar where it is beyond the limit.
 Vec2 placed(Affine const& to_world, Vec2 const& point);
 
 }  // namespace level

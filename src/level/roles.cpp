@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "level/css.h"
 #include "level/numbers.h"
 
 namespace level {
@@ -55,18 +56,11 @@ std::optional<Role> near_miss(std::string_view word) {
     return std::nullopt;
 }
 
-bool may_have(std::string_view tag, Role role) {
-    switch (role) {
-        case Role::terrain:
-            return tag == "path" || tag == "line" || tag == "polyline" || tag == "polygon" || tag == "rect" ||
-                   tag == "circle";
-        case Role::ball:
-        case Role::banana:
-            return tag == "circle";
-        case Role::goal:
-            break;
-    }
-    return tag == "rect" || tag == "circle" || tag == "line";
+std::optional<Role> role_meant_by(std::string_view name) {
+    std::string_view const word = name.substr(0, name.find_last_not_of(" \t\r\n-_.#0123456789") + 1);
+    for (Role const role : every_role)
+        if (same_word(trimmed(word), name_of(role))) return role;
+    return same_word(word, "player") ? std::optional(Role::ball) : std::nullopt;
 }
 
 }  // namespace level

@@ -18,6 +18,7 @@ std::vector<Role> roles_in(std::string_view class_words);
 // The role that a word misses by one letter: one too many, too few, wrong, or two neighbours exchanged.
 std::optional<Role> near_miss(std::string_view word);
 
-bool may_have(std::string_view tag, Role role);
+// The role that a name such as "Terrain 2" or "ball-1" seems to mean; names have no effect.
+std::optional<Role> role_meant_by(std::string_view name);
 
 }  // namespace level

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "level/faults.h"
+#include "level/limits.h"
 #include "level/numbers.h"
 
 namespace level {
@@ -39,12 +40,22 @@ Subpath rounded_rect(std::vector<Vec2> const& corners, double rx, double ry) {
     Vec2 const a = corners[0], c = corners[2];
     rx = std::min(rx, (c.x() - a.x()) / 2);
     ry = std::min(ry, (c.y() - a.y()) / 2);
-    auto const corner = [&](double x, double y) { return ArcTo{rx, ry, 0, false, true, {x, y}}; };
+    double const left = a.x(), top = a.y(), right = c.x(), bottom = c.y();
+    struct Side {
+        Vec2 end, corner_end;
+    };
+    Side const sides[] = {{{right - rx, top}, {right, top + ry}},
+                          {{right, bottom - ry}, {right - rx, bottom}},
+                          {{left + rx, bottom}, {left, bottom - ry}},
+                          {{left, top + ry}, {left + rx, top}}};
     Subpath subpath;
-    subpath.start = {a.x() + rx, a.y()};
-    subpath.draws = {LineTo{{c.x() - rx, a.y()}}, corner(c.x(), a.y() + ry),   LineTo{{c.x(), c.y() - ry}},
-                     corner(c.x() - rx, c.y()),   LineTo{{a.x() + rx, c.y()}}, corner(a.x(), c.y() - ry),
-                     LineTo{{a.x(), a.y() + ry}}, corner(a.x() + rx, a.y())};
+    subpath.start = {left + rx, top};
+    Vec2 at = subpath.start;
+    for (Side const& side : sides) {
+        if (side.end != at) subpath.draws.push_back(LineTo{side.end});
+        subpath.draws.push_back(ArcTo{rx, ry, 0, false, true, side.corner_end});
+        at = side.corner_end;
+    }
     subpath.closed = true;
     return subpath;
 }
@@ -59,14 +70,20 @@ double corner_radius(pugi::xml_node node, char const* attribute, char const* oth
     return given(other) ? length_in(node, other) : 0;
 }
 
-Shape rect(pugi::xml_node node, Corners corners) {
+Shape rect(pugi::xml_node node) {
     std::vector<Vec2> const points = corners_of_rect(node);
     if (points.empty()) return std::vector<Subpath>();
-    if (corners == Corners::as_drawn && has_round_corners(node)) {
-        double const rx = corner_radius(node, "rx", "ry"), ry = corner_radius(node, "ry", "rx");
-        if (rx > 0 && ry > 0) return std::vector{rounded_rect(points, rx, ry)};
-    }
+    if (has_round_corners(node))
+        return std::vector{rounded_rect(points, corner_radius(node, "rx", "ry"), corner_radius(node, "ry", "rx"))};
     return std::vector{closed_to_start(joined(points))};
+}
+
+std::vector<char const*> coordinates_of(std::string_view tag) {
+    if (tag == "path") return {"d"};
+    if (tag == "line") return {"x1", "y1", "x2", "y2"};
+    if (tag == "rect") return {"x", "y", "width", "height"};
+    if (tag == "circle" || tag == "ellipse") return {"cx", "cy"};
+    return {"points"};
 }
 
 template <typename Read>
@@ -97,12 +114,21 @@ double length_in(pugi::xml_node node, char const* attribute) {
     throw Unsupported(std::string(attribute) + " must be a number, got " + quoted(all));
 }
 
-bool has_round_corners(pugi::xml_node node) {
-    auto const is_round = [&](char const* name) {
-        Parsed const parsed = parsed_number(node.attribute(name).value());
-        return parsed.syntax == Syntax::good && parsed.value > 0;
+std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale) {
+    std::string all, beyond;
+    auto const add = [](std::string& list, char const* name) {
+        list += (list.empty() ? "" : ", ") + std::string(name);
     };
-    return is_round("rx") || is_round("ry");
+    for (char const* const name : coordinates_of(tag)) {
+        add(all, name);
+        Parsed const parsed = parsed_number(node.attribute(name).value());
+        if (std::abs(parsed.value) * scale > most_metres) add(beyond, name);
+    }
+    return beyond.empty() ? all : beyond;
+}
+
+bool has_round_corners(pugi::xml_node node) {
+    return corner_radius(node, "rx", "ry") > 0 && corner_radius(node, "ry", "rx") > 0;
 }
 
 std::vector<Vec2> corners_of_rect(pugi::xml_node node) {
@@ -112,8 +138,8 @@ std::vector<Vec2> corners_of_rect(pugi::xml_node node) {
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
 
-Shape shape_of(pugi::xml_node node, std::string_view tag, Corners corners) {
-    if (tag == "rect") return rect(node, corners);
+Shape shape_of(pugi::xml_node node, std::string_view tag) {
+    if (tag == "rect") return rect(node);
     if (tag == "circle") {
         double const r = positive_length(node, "r");
         return Ellipse{{length_in(node, "cx"), length_in(node, "cy")}, r, r};

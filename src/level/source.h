@@ -1,4 +1,4 @@
-// A level file as bytes and as text: opening it, its encoding, and the line that an offset lies on.
+// A level file as bytes and as text: opening it, unpacking it, and the line that an offset lies on.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,9 @@ inline constexpr std::size_t largest_file = 64'000'000;  // bytes, formats.md se
 // Stops reading beyond largest_file. Throws std::runtime_error("file: cannot be read: why").
 std::string bytes_of(std::string const& file);
 
-// UTF-8, without a byte order mark, of text in UTF-8, UTF-16 or (where the XML declaration says so) Latin-1.
-std::string utf8_of(std::string bytes);
+// What a file packed with gzip (.svgz) holds; other bytes as they are. Stops unpacking beyond largest_file. Throws
+// Broken where the packing is damaged.
+std::string unpacked(std::string bytes);
 
 class Lines {
 public:

@@ -22,7 +22,7 @@ struct Overlap {
 std::vector<Overlap> overlaps_in(physics::Scene const& scene);
 
 // The balls moved out along the normals, a little at a time where several surfaces press, until they touch.
-// `overlaps` are those of the scene, all of them slight.
+// `overlaps` are those of the scene, all of them slight. Where a ball does not fit, overlaps remain.
 std::vector<physics::Ball> moved_out(physics::Scene const& scene, std::vector<Overlap> const& overlaps);
 
 }  // namespace level

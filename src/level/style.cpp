@@ -21,35 +21,60 @@ double opacity_in(std::string_view text) {
     return std::clamp(per_cent ? parsed.value / 100 : parsed.value, 0.0, 1.0);
 }
 
-void set(std::string_view& property, std::string_view value) {
-    if (!value.empty() && value != "inherit") property = value;
+struct Text {
+    std::string_view name;
+    std::string_view Style::*value;
+};
+constexpr Text inherited_texts[] = {{"fill", &Style::fill},
+                                    {"stroke", &Style::stroke},
+                                    {"stroke-width", &Style::stroke_width},
+                                    {"fill-opacity", &Style::fill_opacity},
+                                    {"stroke-opacity", &Style::stroke_opacity},
+                                    {"fill-rule", &Style::fill_rule},
+                                    {"visibility", &Style::visibility},
+                                    {"color", &Style::color}};
+
+struct Place {
+    std::string_view name;
+    std::string_view Placement::*value;
+};
+constexpr Place places[] = {
+    {"transform", &Placement::transform}, {"transform-origin", &Placement::origin}, {"transform-box", &Placement::box},
+    {"translate", &Placement::translate}, {"rotate", &Placement::rotate},           {"scale", &Placement::scale},
+};
+
+constexpr std::string_view geometry_properties[] = {"d", "cx", "cy", "r", "rx", "ry", "x", "y", "width", "height"};
+
+// What CSS allows of display; anything else is as if it were not there.
+bool is_display(std::string_view value) {
+    constexpr std::string_view known[] = {
+        "none", "inline",      "block",   "list-item",       "table",       "inline-table", "inline-block",
+        "flex", "inline-flex", "grid",    "inline-grid",     "contents",    "flow-root",    "run-in",
+        "ruby", "inherit",     "initial", "unset",           "revert",      "table-row",    "table-cell",
+        "math", "compact",     "marker",  "table-row-group", "table-column"};
+    return std::any_of(std::begin(known), std::end(known), [&](auto word) { return same_word(value, word); });
 }
 
-void apply(Style& style, double& own_opacity, std::string_view name, std::string_view value) {
-    if (name == "fill") set(style.fill, value);
-    if (name == "stroke") set(style.stroke, value);
-    if (name == "stroke-width") set(style.stroke_width, value);
-    if (name == "fill-opacity") set(style.fill_opacity, value);
-    if (name == "stroke-opacity") set(style.stroke_opacity, value);
-    if (name == "fill-rule") set(style.fill_rule, value);
-    if (name == "visibility") set(style.visibility, value);
-    if (name == "opacity") own_opacity = opacity_in(value);
-    if (name == "display") style.hidden = value == "none";
+// Of one element, before it is joined with what is inherited.
+struct Own {
+    double opacity = 1;
+    bool clipped = false, masked = false;
+};
+
+void apply(Style& style, Own& own, std::string_view name, std::string_view value) {
+    if (value.empty() || same_word(value, "inherit")) return;
+    for (Text const& text : inherited_texts)
+        if (same_word(name, text.name)) style.*text.value = value;
+    for (Place const& place : places)
+        if (same_word(name, place.name)) style.placement.*place.value = value;
+    if (same_word(name, "opacity")) own.opacity = opacity_in(value);
+    if (same_word(name, "display") && is_display(value)) style.hidden = same_word(value, "none");
+    if (same_word(name, "clip-path")) own.clipped = !same_word(value, "none");
+    if (same_word(name, "mask")) own.masked = !same_word(value, "none");
 }
 
-template <typename Visit>
-void each_declaration(std::string_view css, Visit&& visit) {
-    while (!css.empty()) {
-        std::size_t const end = std::min(css.find(';'), css.size());
-        std::string_view const declaration = css.substr(0, end);
-        css.remove_prefix(std::min(end + 1, css.size()));
-        std::size_t const colon = declaration.find(':');
-        if (colon == std::string_view::npos) continue;
-        std::string_view value = declaration.substr(colon + 1);
-        value = trimmed(value.substr(0, value.find('!')));
-        visit(trimmed(declaration.substr(0, colon)), value);
-    }
-}
+// Attributes of these names are no properties, but a tooltip, a label or an animation's.
+bool is_property_only(std::string_view name) { return name == "translate" || name == "rotate" || name == "scale"; }
 
 double width_in(std::string_view text) {
     text = trimmed(text);
@@ -61,27 +86,55 @@ double width_in(std::string_view text) {
 
 }  // namespace
 
-Style style_of(pugi::xml_node node, Style const& from_above) {
+bool is_understood(std::string_view property) {
+    auto const is_it = [&](auto const& known) { return same_word(property, known.name); };
+    auto const is_word = [&](std::string_view word) { return same_word(property, word); };
+    constexpr std::string_view own[] = {"opacity", "display", "clip-path", "mask"};
+    return std::any_of(std::begin(inherited_texts), std::end(inherited_texts), is_it) ||
+           std::any_of(std::begin(places), std::end(places), is_it) ||
+           std::any_of(std::begin(geometry_properties), std::end(geometry_properties), is_word) ||
+           std::any_of(std::begin(own), std::end(own), is_word);
+}
+
+std::string_view Styles::kept(std::string_view css) {
+    return has_comment(css) ? std::string_view(texts_.emplace_back(without_comments(css))) : css;
+}
+
+Style Styles::of(pugi::xml_node node, Style const& from_above) {
     Style style = from_above;
-    double own_opacity = 1;
+    style.placement = {};
+    style.geometry = {};
+    Own own;
     std::string_view css;
     for (pugi::xml_attribute const attribute : node.attributes()) {
         std::string_view const name = attribute.name();
         if (name == "style") css = attribute.value();
-        apply(style, own_opacity, name, trimmed(attribute.value()));
+        if (!is_property_only(name)) apply(style, own, name, trimmed(attribute.value()));
     }
-    // The style attribute outranks the others wherever it stands.
-    each_declaration(css,
-                     [&](std::string_view name, std::string_view value) { apply(style, own_opacity, name, value); });
-    style.opacity *= own_opacity;
+    // The style attribute outranks the sheets, and these the attributes; what is important outranks what is not.
+    std::vector<Declaration> declarations;
+    if (!sheet_.empty()) declarations = sheet_.declarations_for(node);
+    for (Declaration const& declaration : declarations_in(kept(css))) declarations.push_back(declaration);
+    for (bool const important : {false, true})
+        for (Declaration const& declaration : declarations) {
+            if (declaration.important != important) continue;
+            apply(style, own, declaration.name, declaration.value);
+            for (std::string_view const property : geometry_properties)
+                if (same_word(declaration.name, property)) style.geometry = property;
+        }
+    style.opacity *= own.opacity;
+    style.clipped = style.clipped || own.clipped || own.masked;
     return style;
 }
 
 std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style,
                                        double metres_per_unit) {
     std::vector<Decoration> parts;
-    if (style.visibility != "visible" || outlines.empty()) return parts;
-    auto const fill = colour_in(style.fill), stroke = colour_in(style.stroke);
+    if (!same_word(style.visibility, "visible") || outlines.empty()) return parts;
+    auto const colour = [&](std::string_view paint) {
+        return colour_in(same_word(paint, "currentcolor") ? style.color : paint);
+    };
+    auto const fill = colour(style.fill), stroke = colour(style.stroke);
     if (fill) parts.push_back({outlines, fill, std::nullopt, 0, style.opacity * opacity_in(style.fill_opacity)});
     double const width = stroke ? width_in(style.stroke_width) * metres_per_unit : 0;
     if (width > 0)

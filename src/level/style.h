@@ -1,25 +1,50 @@
-// How an element is painted: the presentation attributes and the style attribute, inherited as in SVG.
+// How an element is shown: presentation attributes, style sheets and the style attribute, inherited as in SVG.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 
 #include <pugixml.hpp>
 
+#include "level/css.h"
 #include "level/level.h"
 #include "level/outlines.h"
 
 namespace level {
 
-struct Style {
-    std::string_view fill = "black", stroke = "none", stroke_width = "1", fill_opacity = "1", stroke_opacity = "1",
-                     fill_rule = "nonzero", visibility = "visible";
-    double opacity = 1;   // of the element and all groups that hold it
-    bool hidden = false;  // display none
+// The properties that place an element; they are its own and not inherited.
+struct Placement {
+    std::string_view transform, origin, box, translate, rotate, scale;
 };
 
-// The style of a node whose parent has the style `from_above`. The text that it refers to lives in the document.
-Style style_of(pugi::xml_node node, Style const& from_above);
+struct Style {
+    std::string_view fill = "black", stroke = "none", stroke_width = "1", fill_opacity = "1", stroke_opacity = "1",
+                     fill_rule = "nonzero", visibility = "visible", color = "black";
+    double opacity = 1;    // of the element and all groups that hold it
+    bool hidden = false;   // display none
+    bool clipped = false;  // by a clip path or mask, its own or of a group that holds it
+    Placement placement;
+    std::string_view geometry;  // a property such as cx or d by which a sheet would change a shape, or empty
+};
+
+// Whether a property changes anything that this program shows or plays, in whatever case it is written.
+bool is_understood(std::string_view property);
+
+class Styles {
+public:
+    explicit Styles(Sheet sheet) : sheet_(std::move(sheet)) {}
+
+    // The style of a node whose parent has the style `from_above`. The text that it refers to lives as long as the
+    // document and this.
+    Style of(pugi::xml_node node, Style const& from_above);
+
+private:
+    std::string_view kept(std::string_view css);
+
+    Sheet sheet_;
+    std::deque<std::string> texts_;
+};
 
 // The filled and the stroked part of a shape, at most one of each. Throws Unsupported for paint that is no plain
 // colour.

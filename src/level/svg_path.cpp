@@ -4,6 +4,7 @@
 #include <string>
 
 #include "level/faults.h"
+#include "level/limits.h"
 #include "level/numbers.h"
 
 namespace level {
@@ -105,6 +106,7 @@ private:
     }
 
     void append(Draw const& draw) {
+        if (++appended_ > most_pieces) throw Broken("a path must have at most 1000000 pieces");
         at_ = end_of(draw);
         current_.draws.push_back(draw);
         memory_ = Memory::nothing;
@@ -167,6 +169,7 @@ private:
     Subpath current_;
     Vec2 at_ = Vec2::Zero(), control_ = Vec2::Zero();
     Memory memory_ = Memory::nothing;
+    std::size_t appended_ = 0;
     bool begun_ = false, relative_ = false, fresh_ = false;
 };
 
@@ -183,6 +186,7 @@ std::vector<Subpath> parsed_points(std::string_view points) {
     std::vector<double> numbers;
     while (!cursor.at_end()) {
         numbers.push_back(cursor.number());
+        if (numbers.size() > 2 * most_pieces) throw Broken("there must be at most 1000000 points");
         cursor.skip_separator();
     }
     if (numbers.size() % 2 != 0) throw Broken("an odd number of coordinates");

@@ -29,7 +29,21 @@ double scale_of(Affine const& map);
 inline constexpr double similarity_slack = 1e-6;  // relative to the matrix's size
 bool is_similarity(Affine const& map);            // mirroring ones included
 
-// Throws Broken.
-Affine parsed_transform(std::string_view text);
+// What per cent are of: a box in the units of the element that is transformed.
+struct ReferenceBox {
+    Vec2 corner = Vec2::Zero(), size = Vec2::Zero();
+};
+
+// A list of functions as attributes and style sheets write them. Throws Broken.
+Affine parsed_transform(std::string_view text, Vec2 const& whole = Vec2::Zero());
+
+// "8 4.5", "50% 2px", "left", "bottom right" ... as a point. Throws Broken.
+Vec2 parsed_origin(std::string_view text, ReferenceBox const& box);
+
+// What the properties translate, rotate and scale write without the name of a function. Throws Broken.
+Affine parsed_function(std::string_view name, std::string_view arguments, Vec2 const& whole);
+
+// The map about a point in place of the origin.
+Affine about(Vec2 const& point, Affine const& map);
 
 }  // namespace level

@@ -6,6 +6,7 @@
 #include "physics/handover.h"
 #include "physics/meetings.h"
 #include "physics/ride.h"
+#include "physics/stepping.h"
 
 namespace physics {
 
@@ -270,6 +271,7 @@ void pass_events(Scene const& scene, World& world, double until, History& histor
             step_handed_over(scene, world, history);
             if (!is_apart(scene, world)) continue;
             world.handed_over = false;
+            begin_stepping(world);
             history.events.push_back(
                 {world.time, EventKind::takeover, 0, at(world.legs[0], world.time), world.legs[0].contact, -1});
             Timeline(scene, world, history).begin_from(taken_back(scene, world));

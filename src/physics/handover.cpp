@@ -5,6 +5,7 @@
 
 #include "physics/exact.h"
 #include "physics/field.h"
+#include "physics/stepping.h"
 #include "physics/steps.h"
 
 namespace physics {
@@ -16,11 +17,8 @@ void hand_over(Scene const& scene, World& world, History& history) {
         {world.time, EventKind::handover, 0, at(world.legs[0], world.time), world.legs[0].contact, -1});
     world.handed_over = true;
     world.quiet_until = -never;
-    world.handover_time = world.step_origin = world.time;
-    world.steps_taken = 0;
-    world.touches.clear();
-    world.neighbours.clear();
-    world.reaches.clear();
+    world.handover_time = world.time;
+    begin_stepping(world);
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         State const state = at(world.legs[i], world.time);
         Leg leg = world.legs[i];

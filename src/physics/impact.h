@@ -1,6 +1,7 @@
 // Impacts: what a blow does to a ball that meets terrain, and to two balls that meet (physics.md 1).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/ball.h"
@@ -24,7 +25,8 @@ inline bool sticks(ContactSpeeds const& before, double restitution, double frict
 inline ContactSpeeds after_impact(ContactSpeeds const& before, double restitution, double friction, double inertia) {
     ContactSpeeds after = before;
     after.normal = -restitution * before.normal;
-    if (before.slip() == 0) return after;
+    // Without normal impulse there is no friction, infinite or not.
+    if (before.slip() == 0 || before.normal == 0) return after;
     if (sticks(before, restitution, friction, inertia)) {
         after.tangent = (before.tangent + inertia * before.rim) / (1 + inertia);
         after.rim = after.tangent;
@@ -35,6 +37,18 @@ inline ContactSpeeds after_impact(ContactSpeeds const& before, double restitutio
     after.rim -= impulse / inertia;
     return after;
 }
+
+// A tangential impulse (N s) as far as friction carries it. Without a normal impulse there is none, be friction
+// infinite or not.
+inline double within_grip(double wanted, double friction, double normal_impulse) {
+    if (!(normal_impulse > 0)) return 0;
+    double const most = friction * normal_impulse;
+    return std::clamp(wanted, -most, most);
+}
+
+// Ball against ball (formats.md section 3).
+double friction_between(Ball const& a, Ball const& b);
+double restitution_between(Ball const& a, Ball const& b);
 
 // Friction of ball against ball: the tangential impulse (N s) that ends the slip, as far as goes with a normal one of
 // `normal_impulse` along the unit normal from a to b, of which `so_far` has been given to these states already. Along

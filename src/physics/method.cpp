@@ -46,7 +46,7 @@ World world_at_start(Method const& method, Scene const& scene, History& history)
     history = {};
     std::visit([&](auto const& m) { begin_with(m, scene, world, history); }, method);
     world.noticed = nothing_noticed(scene);
-    sense(scene, world, 0, 0, history);
+    sense(scene, world, -never, 0, history);
     return world;
 }
 

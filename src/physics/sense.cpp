@@ -4,129 +4,209 @@
 #include <cmath>
 #include <optional>
 
+#include "physics/leg_bounds.h"
+
 namespace physics {
 
 namespace {
 
-// How far outside a region a ball is, and how fast that grows; <= 0 is inside.
-struct Gap {
-    double value = 0;  // m
-    double rate = 0;   // m/s
+// m: what is nearer to the limit than this all along is on it. Ends grazing in a sliver that bounds cannot tell apart.
+constexpr double length_rounding = 1e-12;
+
+// Each watch tells what one region notices: nothing on any of a part of a leg, everything all along one, or the step
+// from one place to the next.
+
+struct Entry {
+    DiscRegion const& disc;
+    double reach;  // m, from the disc's centre
+
+    Entry(DiscRegion const& of, double rim) : disc(of), reach(of.radius + rim + sensor_accuracy) {}
+    bool misses(LegPart const& part) const { return part.distance_from(disc.centre).low > reach; }
+    bool holds(LegPart const& part) const { return part.distance_from(disc.centre).high <= reach + length_rounding; }
+    bool notices(Vec2 const&, Vec2 const& now) const { return geometry::length(now - disc.centre) <= reach; }
 };
 
-Gap gap_to(DiscRegion const& disc, double reach, State const& state) {
-    Vec2 const way = state.position - disc.centre;
-    double const distance = geometry::length(way);
-    return {distance - disc.radius - reach, distance > 0 ? geometry::dot(way, state.velocity) / distance : 0};
-}
+// One edge of a counter-clockwise polygon: heights are positive outside.
+struct Edge {
+    Vec2 from, outward;
 
-// From edge i's line, positive to its right, which is outside of a counter-clockwise polygon.
-Gap gap_to_edge(PolygonRegion const& polygon, std::size_t i, State const& state) {
-    Vec2 const& a = polygon.corners[i];
-    Vec2 const way = polygon.corners[(i + 1) % polygon.corners.size()] - a;
-    Vec2 const outward = geometry::turned_right(way) / geometry::length(way);
-    return {geometry::dot(state.position - a, outward), geometry::dot(state.velocity, outward)};
-}
-
-// The edge farthest out bounds the distance from below, and is exactly zero on the polygon's edge.
-Gap gap_to(PolygonRegion const& polygon, State const& state) {
-    Gap widest{-never, 0};
-    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
-        Gap const gap = gap_to_edge(polygon, i, state);
-        if (gap.value > widest.value) widest = gap;
+    Edge(PolygonRegion const& polygon, std::size_t i) : from(polygon.corners[i]) {
+        Vec2 const way = polygon.corners[(i + 1) % polygon.corners.size()] - from;
+        outward = geometry::turned_right(way) / geometry::length(way);
     }
-    return widest;
-}
+    Range heights(LegPart const& part) const { return part.along(from, outward); }
+    double height(Vec2 const& place) const { return geometry::dot(place - from, outward); }
+};
 
-// A time in which a gap cannot close while |acceleration| <= bound (physics.md 3.2, for the least of several edges
-// with every speed at most `speed`).
-double safe_time(double gap, double closing, double bound) {
-    if (gap <= 0) return 0;
-    double const root = std::sqrt(closing * closing + 2 * bound * gap);
-    double const denominator = closing + root;
-    return denominator > 0 ? 2 * gap / denominator : never;
-}
+struct EntryToPolygon {
+    PolygonRegion const& polygon;
 
-struct Watch {
-    Sensor const& sensor;
-    double radius;
-
-    // The gap whose fall through zero is the event, with the fastest it may close now.
-    Gap operator()(State const& state) const {
-        if (auto const* disc = std::get_if<DiscRegion>(&sensor.region))
-            return gap_to(*disc, sensor.rim ? radius : 0, state);
-        auto const* polygon = std::get_if<PolygonRegion>(&sensor.region);
-        Gap const gap = gap_to(*polygon, state);
-        // Which edge is the farthest may change on the way: only the speed bounds all of them at once.
-        double const speed = geometry::length(state.velocity);
-        return sensor.outside ? Gap{-gap.value, -speed} : Gap{gap.value, -speed};
+    template <typename Test>
+    bool any_edge(Test&& test) const {
+        for (std::size_t i = 0; i < polygon.corners.size(); ++i)
+            if (test(Edge(polygon, i))) return true;
+        return false;
+    }
+    bool misses(LegPart const& part) const {
+        return any_edge([&](Edge const& edge) { return edge.heights(part).low > sensor_accuracy; });
+    }
+    bool holds(LegPart const& part) const {
+        // Not <=, so that what is no number holds nothing.
+        return !any_edge(
+            [&](Edge const& edge) { return !(edge.heights(part).high <= sensor_accuracy + length_rounding); });
+    }
+    bool notices(Vec2 const&, Vec2 const& now) const {
+        return !any_edge([&](Edge const& edge) { return !(edge.height(now) <= sensor_accuracy); });
     }
 };
 
-constexpr int advancement_cap = 10000;  // steps of conservative advancement; a grazing path takes a few hundred
+struct ExitFromPolygon {
+    EntryToPolygon inside;
 
-std::optional<double> first_entry(Watch const& watch, Leg const& leg, double from, double to) {
-    double const bound = acceleration_bound(leg, from, to);
-    double t = from;
-    for (int i = 0; i < advancement_cap; ++i) {
-        Gap const gap = watch(at(leg, t));
-        if (gap.value <= sensor_accuracy) return t;
-        t += safe_time(gap.value, -gap.rate, bound);
-        if (!(t <= to)) return std::nullopt;
+    bool misses(LegPart const& part) const {
+        return !inside.any_edge([&](Edge const& edge) { return !(edge.heights(part).high < -sensor_accuracy); });
     }
-    return t;
-}
-
-// The first crossing of a line's stretch by the centre.
-std::optional<double> first_crossing(LineRegion const& line, Leg const& leg, double from, double to) {
-    Vec2 const way = line.to - line.from;
-    double const span = geometry::length(way);
-    Vec2 const normal = geometry::turned_left(way) / span;
-    double const bound = acceleration_bound(leg, from, to);
-    double t = from;
-    for (int i = 0; i < advancement_cap; ++i) {
-        State const state = at(leg, t);
-        double const height = geometry::dot(state.position - line.from, normal);
-        double const rate = geometry::dot(state.velocity, normal);
-        double const along = geometry::dot(state.position - line.from, way) / span;
-        bool const there = std::abs(height) <= sensor_accuracy;
-        if (there && along >= 0 && along <= span) return t;
-        // Next to the line but beyond its ends: no nearer to it than the way back to an end.
-        double const beyond = std::max({0.0, -along, along - span});
-        double const gap = std::max(std::abs(height), beyond);
-        double const closing = gap > beyond ? (height > 0 ? -rate : rate) : geometry::length(state.velocity);
-        t += std::max(safe_time(gap, closing, bound), there ? 1e-9 : 0.0);
-        if (!(t <= to)) return std::nullopt;
+    bool holds(LegPart const& part) const {
+        return inside.any_edge(
+            [&](Edge const& edge) { return edge.heights(part).low >= -sensor_accuracy - length_rounding; });
     }
-    return std::nullopt;
+    bool notices(Vec2 const&, Vec2 const& now) const {
+        return inside.any_edge([&](Edge const& edge) { return edge.height(now) >= -sensor_accuracy; });
+    }
+};
+
+struct Crossing {
+    Vec2 from, along, normal;
+    double span;  // m
+
+    explicit Crossing(LineRegion const& line) : from(line.from) {
+        span = geometry::length(line.to - line.from);
+        along = (line.to - line.from) / span;
+        normal = geometry::turned_left(along);
+    }
+    bool misses(LegPart const& part) const {
+        Range const heights = part.along(from, normal);
+        if (heights.low > sensor_accuracy || heights.high < -sensor_accuracy) return true;
+        Range const ways = part.along(from, along);
+        return ways.low > span + sensor_accuracy || ways.high < -sensor_accuracy;
+    }
+    bool holds(LegPart const& part) const {
+        double const most = sensor_accuracy + length_rounding;
+        Range const heights = part.along(from, normal);
+        if (!(heights.low >= -most && heights.high <= most)) return false;
+        Range const ways = part.along(from, along);
+        return ways.low >= -most && ways.high <= span + most;
+    }
+    bool notices(Vec2 const& before, Vec2 const& now) const {
+        double const height = geometry::dot(now - from, normal), way = geometry::dot(now - from, along);
+        if (!(way >= -sensor_accuracy && way <= span + sensor_accuracy)) return false;
+        double const was = geometry::dot(before - from, normal);
+        return std::abs(height) <= sensor_accuracy || (was < 0) != (height < 0);
+    }
+};
+
+using Watch = std::variant<Entry, EntryToPolygon, ExitFromPolygon, Crossing>;
+
+Watch watch_of(Sensor const& sensor, double radius) {
+    if (auto const* disc = std::get_if<DiscRegion>(&sensor.region)) return Entry(*disc, sensor.rim ? radius : 0);
+    if (auto const* line = std::get_if<LineRegion>(&sensor.region)) return Crossing(*line);
+    EntryToPolygon const entry{std::get<PolygonRegion>(sensor.region)};
+    return sensor.outside ? Watch(ExitFromPolygon{entry}) : Watch(entry);
 }
 
-std::optional<double> first_notice(Sensor const& sensor, double radius, Leg const& leg, double from, double to) {
-    if (auto const* line = std::get_if<LineRegion>(&sensor.region)) return first_crossing(*line, leg, from, to);
-    return first_entry({sensor, radius}, leg, from, to);
-}
+// A search of one leg by inclusion. Its moments are a grid of the leg's own, whatever window is looked at, so that they
+// do not depend on how often one asks. Blocks of the grid are halved until a bound shows that nothing is noticed in
+// them, down to the grid's finest cells, where the places at both ends decide.
+class Search {
+public:
+    // Events in (from, to]; `end` is when the leg ends, `never` where that is still to come. All in s.
+    Search(Leg const& leg, double from, double to, double end) : leg_(leg), from_(from), to_(to), end_(end) {
+        // Rounding must not leave a cell at the window's edge unseen.
+        double const slack = finest + time_rounding * std::abs(to);
+        low_ = std::max(0.0, from - leg.since - slack);
+        high_ = std::min(to - leg.since + slack, end - leg.since);
+    }
+
+    template <typename AnyWatch>
+    std::optional<double> first(AnyWatch const& watch) const {
+        if (!(low_ < high_) || watch.misses(LegPart(leg_, low_, high_))) return std::nullopt;
+        double root = longest_held;
+        while (root < high_) root *= 2;
+        return first_in(watch, 0, root);
+    }
+
+private:
+    // In the block from `start`, `length` long, both in s of the leg.
+    template <typename AnyWatch>
+    std::optional<double> first_in(AnyWatch const& watch, double start, double length) const {
+        double const low = std::max(start, low_), high = std::min(start + length, high_);
+        if (!(low < high) || watch.misses(LegPart(leg_, low, high))) return std::nullopt;
+        if (length <= finest) return at_cell(watch, start);
+        // On the edge to rounding all along, it would be so in every cell.
+        if (length <= longest_held && watch.holds(LegPart(leg_, start, start + length)))
+            return due(std::max(from_, time_at(start)));
+        double const half = length / 2;
+        auto const time = first_in(watch, start, half);
+        return time ? time : first_in(watch, start + half, half);
+    }
+
+    template <typename AnyWatch>
+    std::optional<double> at_cell(AnyWatch const& watch, double start) const {
+        double const time = time_at(start + finest);
+        if (!(time > from_)) return std::nullopt;
+        Vec2 const before = at_span(leg_, start).position, now = at(leg_, time).position;
+        return watch.notices(before, now) ? due(time) : std::nullopt;
+    }
+
+    std::optional<double> due(double time) const { return time <= to_ ? std::optional(time) : std::nullopt; }
+    double time_at(double span) const { return std::min(leg_.since + span, end_); }
+
+    static constexpr double finest = 0x1p-40;       // s, a picosecond: at 1 m/s a tenth of sensor_accuracy
+    static constexpr double longest_held = 1;       // s
+    static constexpr double time_rounding = 1e-15;  // of the time
+
+    Leg const& leg_;
+    double from_, to_, end_;
+    double low_ = 0, high_ = 0;  // s of the leg, what is looked at
+};
 
 struct Notice {
     double time = never;
     int ball = 0;
 };
 
-std::optional<double> first_notice_by(Scene const& scene, History const& history, Sensor const& sensor, int ball,
-                                      double from, double to) {
-    Trail<Leg> const& legs = history.legs[ball];
-    auto leg = std::upper_bound(legs.begin(), legs.end(), from, [](double t, Leg const& l) { return t < l.since; });
-    if (leg != legs.begin()) --leg;
-    for (; leg != legs.end() && leg->since <= to; ++leg) {
-        double const end = leg + 1 == legs.end() ? to : std::min(to, (leg + 1)->since);
-        auto const time = first_notice(sensor, scene.balls[ball].radius, *leg, std::max(from, leg->since), end);
-        if (time) return time;
+// Where a leg begins elsewhere than the one before it ended, the ball goes from there to here in no time.
+template <typename AnyWatch>
+bool noticed_at_start(AnyWatch const& watch, Trail<Leg> const& legs, std::size_t i) {
+    Vec2 const now = at_span(legs[i], 0).position;
+    return watch.notices(i > 0 ? at(legs[i - 1], legs[i].since).position : now, now);
+}
+
+template <typename AnyWatch>
+std::optional<double> first_notice(AnyWatch const& watch, Trail<Leg> const& legs, double from, double to) {
+    auto const after =
+        std::upper_bound(legs.begin(), legs.end(), from, [](double t, Leg const& l) { return t < l.since; });
+    std::size_t i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - legs.begin() - 1));
+    for (; i < legs.size() && legs[i].since <= to; ++i) {
+        Leg const& leg = legs[i];
+        if (leg.since > from && noticed_at_start(watch, legs, i)) return leg.since;
+        double const end = i + 1 < legs.size() ? legs[i + 1].since : never;
+        if (auto const time = Search(leg, from, to, end).first(watch)) return time;
     }
     return std::nullopt;
 }
 
+std::optional<double> first_notice_by(Scene const& scene, History const& history, Sensor const& sensor, int ball,
+                                      double from, double to) {
+    return std::visit([&](auto const& watch) { return first_notice(watch, history.legs[ball], from, to); },
+                      watch_of(sensor, scene.balls[ball].radius));
+}
+
+// Before whatever else happens at that time, be it known already or not, and after other sensors.
 void add_in_order(History& history, Event const& event) {
-    auto const place = std::upper_bound(history.events.begin(), history.events.end(), event.time,
-                                        [](double t, Event const& e) { return t < e.time; });
+    auto const place = std::partition_point(history.events.begin(), history.events.end(), [&](Event const& e) {
+        return e.time < event.time || (e.time == event.time && e.kind == EventKind::sensor);
+    });
     history.events.insert(place, event);
 }
 

@@ -31,6 +31,15 @@ Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity,
     return {equilibrium + Vec2(x.displacement, y.displacement), Vec2(x.rate, y.rate)};
 }
 
+void begin_stepping(World& world) {
+    world.step_origin = world.time;
+    world.steps_taken = 0;
+    world.touches.clear();
+    world.neighbours.clear();
+    world.reaches.clear();
+    world.still_steps.clear();
+}
+
 Standing standing_at_start(Scene const& scene, Ball const& ball) {
     State const& state = ball.start;
     Standing standing{state, Phase::flight, {}};

@@ -20,6 +20,10 @@ struct Flight {
 };
 Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity, double time);
 
+// From world.time on steps are counted anew, and nothing is remembered of steps before: neither who leaned on whom nor
+// who stood still. For whenever steps begin, and when another method takes the world back.
+void begin_stepping(World& world);
+
 // How a ball is at a step's end.
 struct Standing {
     State state;
@@ -32,7 +36,7 @@ Standing standing_at_start(Scene const& scene, Ball const& ball);
 
 // Ends the ball's leg at the clock's present time if it began earlier, so that the next chord spans one step only.
 void open_leg(World& world, History& history, int ball, double now);
-// Ends the ball's leg, begun at world.time, at `then`, and begins the next.
+// Ends the ball's leg, begun within the step from world.time on, at `then`, and begins the next.
 void write_leg(World& world, History& history, int ball, double then, Standing const& next);
 
 // The event that a change of contact within one step amounts to, for methods that do not see it happen.

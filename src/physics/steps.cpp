@@ -1,5 +1,7 @@
 #include "physics/steps.h"
 
+#include <algorithm>
+
 #include "physics/steps_pairs.h"
 #include "physics/steps_pile.h"
 #include "physics/steps_sleep.h"
@@ -57,13 +59,38 @@ bool move_alone(Stage& stage, Substep const& step) {
     return all;
 }
 
-void write_step(Stage& stage, World& world, double then, History& history) {
+// What was told of free balls within the step, those of one ball on end, in order of time.
+std::vector<Event> corners_of_step(Stage const& stage, World const& world, double then, History const& history,
+                                   std::size_t first_event) {
+    std::vector<Event> corners;
+    for (std::size_t i = first_event; i < history.events.size(); ++i) {
+        Event const& event = history.events[i];
+        bool const within = event.time > world.time && event.time < then;
+        if (within && !stage.leaning[event.ball] && !stage.asleep[event.ball]) corners.push_back(event);
+    }
+    std::stable_sort(corners.begin(), corners.end(), [](Event const& a, Event const& b) {
+        return a.ball != b.ball ? a.ball < b.ball : a.time < b.time;
+    });
+    return corners;
+}
+
+// A chord ends where the ball met something within the step, so that its path does not cut that corner off.
+void write_corner(World& world, History& history, Event const& event) {
+    Leg const leg = world.legs[event.ball];
+    if (event.time > leg.since)
+        write_leg(world, history, event.ball, event.time, {event.state, leg.phase, leg.contact});
+}
+
+void write_step(Stage& stage, World& world, double then, History& history, std::size_t first_event) {
     count_still(stage, world);
+    std::vector<Event> const corners = corners_of_step(stage, world, then, history, first_event);
+    auto corner = corners.begin();
     for (Traveller& traveller : stage.travellers) {
         int const i = traveller.index;
         if (stage.asleep[i]) continue;
         open_leg(world, history, i, world.time);
         Leg const before = world.legs[i];
+        for (; corner != corners.end() && corner->ball == i; ++corner) write_corner(world, history, *corner);
         write_leg(world, history, i, then, {traveller.state, phase_of(traveller), traveller.contact});
         if (stage.leaning[i]) tell_contact_change(stage.scene.terrain, before, world.legs[i], i, history);
         tell_phase_change(before, world.legs[i], i, history);
@@ -84,12 +111,13 @@ void advance_with(Steps const& method, Scene const& scene, World& world, double 
     while (world.time < until) {
         double const then = time_of_step(world, method.rate, world.steps_taken + 1);
         if (!all_asleep(scene, world)) {
+            std::size_t const first_of_step = history.events.size();
             put_to_sleep(stage, world, pace);
             find_neighbours(stage, step);
             if (!move_alone(stage, {scene.terrain, world.time, step, pace, history.events}))
                 for (int i = 0; i < method.substeps; ++i)
                     move_all(stage, {scene.terrain, world.time + i * pace, pace, pace, history.events});
-            write_step(stage, world, then, history);
+            write_step(stage, world, then, history, first_of_step);
         }
         ++world.steps_taken;
         world.time = then;

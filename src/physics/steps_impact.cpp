@@ -7,17 +7,6 @@ namespace physics {
 
 using geometry::dot;
 
-namespace {
-
-// `wanted` as far as friction carries it. Without normal impulse there is none, be friction infinite or not.
-double within_grip(double wanted, double friction, double normal_impulse) {
-    if (normal_impulse <= 0) return 0;
-    double const most = friction * normal_impulse;
-    return std::clamp(wanted, -most, most);
-}
-
-}  // namespace
-
 Impact after_impact(State const& state, Ball const& ball, Vec2 const& normal, double restitution, double friction) {
     Vec2 const tangent = geometry::turned_right(normal);
     double const closing = dot(state.velocity, normal);
@@ -48,13 +37,5 @@ PairImpact after_pair_impact(State const& first, Ball const& one, State const& s
     impact.second.spin += impact.impulse.tangent / (other.inertia * other.mass * other.radius);
     return impact;
 }
-
-double friction_between(Ball const& a, Ball const& b) {
-    // Frictionless wins over full grip: 0 times infinity is no number.
-    if (a.friction == 0 || b.friction == 0) return 0;
-    if (a.friction == b.friction) return a.friction;
-    return std::sqrt(a.friction) * std::sqrt(b.friction);
-}
-double restitution_between(Ball const& a, Ball const& b) { return std::max(a.restitution, b.restitution); }
 
 }  // namespace physics

@@ -1,6 +1,7 @@
 // Impacts: the impulse at one contact, with restitution and Coulomb friction (physics.md 1). It never gains energy.
 #pragma once
 
+#include "physics/impact.h"
 #include "physics/world.h"
 
 namespace physics {
@@ -20,9 +21,5 @@ struct PairImpact {
 };
 PairImpact after_pair_impact(State const& first, Ball const& one, State const& second, Ball const& other,
                              Vec2 const& normal, double restitution);
-
-// Ball against ball (formats.md section 3).
-double friction_between(Ball const& a, Ball const& b);
-double restitution_between(Ball const& a, Ball const& b);
 
 }  // namespace physics

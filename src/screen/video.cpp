@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "screen/child.h"
+#include "screen/film.h"
 
 namespace screen {
 namespace {
@@ -30,6 +31,8 @@ std::vector<std::string> encoder(fs::path const& part, std::string const& contai
     words.insert(words.end(), {"-pix_fmt", "yuv420p", "-g", std::to_string(second), "-colorspace", "bt709"});
     words.insert(words.end(), {"-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"});
     if (container == "mp4") words.insert(words.end(), {"-movflags", "+frag_keyframe+empty_moov"});
+    // Each frame on its way to the disk at once: what a killed encoder holds back is lost.
+    words.insert(words.end(), {"-flush_packets", "1"});
     words.insert(words.end(), {"-f", container == "mkv" ? "matroska" : container, "file:" + part.string()});
     return words;
 }
@@ -83,36 +86,51 @@ struct Video::Body {
         }
     }
     ~Body() {
-        if (!ffmpeg) return;
-        ffmpeg->wait();
-        remove_empty_part();
-    }
-
-    void remove_empty_part() const {
-        std::error_code ignored;
-        if (frames == 0) fs::remove(part, ignored);
+        if (ffmpeg) abandon();
     }
 
     // Waits for the encoder and throws what went wrong, if anything did.
     void end();
+    std::optional<fs::path> abandon();
+    // Leaves a part that plays, or none.
+    std::optional<fs::path> salvaged() const;
 };
+
+std::optional<fs::path> Video::Body::salvaged() const {
+    Film const film = film_in(part);
+    std::error_code ignored;
+    if (film.frames == 0) {
+        fs::remove(part, ignored);
+        return std::nullopt;
+    }
+    if (!film.complete) fs::resize_file(part, film.whole_bytes, ignored);
+    return part;
+}
+
+std::optional<fs::path> Video::Body::abandon() {
+    if (ffmpeg) ffmpeg->wait();
+    ffmpeg.reset();
+    return salvaged();
+}
 
 void Video::Body::end() {
     Ending const ending = ffmpeg->wait();
     long long const written = frames_told(ffmpeg->output());
     std::string const said = last_line(ffmpeg->errors());
     ffmpeg.reset();
+    Film const film = film_in(part);
     std::string what;
     if (ending.signal != 0 || ending.status != 0)
-        what = "ffmpeg " + words_for(ending) + (said.empty() ? "" : ": " + said);
+        what = "ffmpeg " + words_for(ending);
     else if (written != frames)
         what = "ffmpeg wrote " + std::to_string(written) + " of " + std::to_string(frames) + " frames";
+    else if (film.frames != frames || !film.complete)
+        what = "the file is not whole, with " + std::to_string(film.frames) + " of " + std::to_string(frames) +
+               " frames; is the disk full?";
     if (what.empty()) return;
-    std::error_code missing;
-    bool const usable = written > 0 && fs::file_size(part, missing) > 0 && !missing;
-    if (!usable && ending.signal == 0) fs::remove(part, missing);
-    bool const left = fs::exists(part, missing);
-    throw std::runtime_error(file.string() + ": " + what + (left ? "; what was written is in " + part.string() : ""));
+    if (!said.empty()) what += ": " + said;
+    auto const left = salvaged();
+    throw std::runtime_error(file.string() + ": " + what + (left ? "; what was written is in " + left->string() : ""));
 }
 
 Video::Video(fs::path const& file, VideoSettings const& settings) : body_(std::make_unique<Body>(file, settings)) {}
@@ -143,6 +161,8 @@ void Video::finish() {
         throw std::runtime_error(body_->file.string() + ": " + std::strerror(errno) + "; the video is in " +
                                  body_->part.string());
 }
+
+std::optional<fs::path> Video::abandon() { return body_->abandon(); }
 
 long long Video::frames() const { return body_->frames; }
 

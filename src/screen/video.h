@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "screen/pixels.h"
 
@@ -30,16 +31,17 @@ class Video {
 public:
     // The ending of the name chooses the container: .mp4 or .mkv.
     Video(std::filesystem::path const& file, VideoSettings const& settings);
-    // Without finish, the encoder is given the chance to close the part cleanly.
-    ~Video();
+    ~Video();  // abandons it, unless it has ended
     Video(Video&&) noexcept;
     Video& operator=(Video&&) noexcept;
 
     void add(Pixels const& pixels);
     // Of pictures converted before, for instance on other threads.
     void add(Yuv420 const& picture);
-    // Waits for the encoder, checks that it wrote every frame, renames.
+    // Waits for the encoder, checks that the file holds every frame and is whole, whatever the encoder says, renames.
     void finish();
+    // Lets the encoder close the part. What of it plays, if any: what does not is cut off or removed.
+    std::optional<std::filesystem::path> abandon();
 
     long long frames() const;  // given to the encoder so far
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/box_tree.h"
 #include "view/ground.h"
 
 namespace view {
@@ -49,8 +50,27 @@ bool runs_one_way(Ring const& points) {
     return way != 0;
 }
 
+// The open outlines of a level, and what of the play may lie beneath one of them.
+struct OpenOutlines {
+    std::vector<Ring> edges;
+    std::vector<Vec2> middles;  // a point of each edge
+    std::vector<Vec2> actors;
+};
+
+bool has_beneath(Ring const& ring, OpenOutlines const& open, std::size_t own) {
+    geometry::Box const box = box_of_ring(ring);
+    auto const is_inside = [&](Vec2 const& point) {
+        return geometry::overlap(box, {point, point}) && contains(ring, point);
+    };
+    if (std::any_of(open.actors.begin(), open.actors.end(), is_inside)) return true;
+    for (std::size_t i = 0; i < open.middles.size(); ++i)
+        if (i != own && is_inside(open.middles[i])) return true;
+    return false;
+}
+
 // An open outline that crosses the level like a landscape, with nothing of the play beneath it, is filled below.
-std::optional<Body> landscape_of(Ring const& edge, level::Level const& level, std::vector<Vec2> const& others) {
+std::optional<Body> landscape_of(OpenOutlines const& open, std::size_t own, level::Level const& level) {
+    Ring const& edge = open.edges[own];
     double const way = edge.back().x() - edge.front().x();
     if (!runs_one_way(edge) || std::abs(way) < 0.25 * level.size.x()) return std::nullopt;
     Body body{edge, Closing::open, left_of(edge, Closing::open), {}, 2};
@@ -60,15 +80,15 @@ std::optional<Body> landscape_of(Ring const& edge, level::Level const& level, st
     Ring ring = edge;
     ring.push_back({edge.back().x(), bottom});
     ring.push_back({edge.front().x(), bottom});
-    for (Vec2 const& point : others)
-        if (contains(ring, point)) return std::nullopt;
+    if (has_beneath(ring, open, own)) return std::nullopt;
     body.rings = {ring};
     return body;
 }
 
-Body open_body(Ring const& edge, level::Level const& level, std::vector<Vec2> const& others) {
-    if (std::optional<Body> body = landscape_of(edge, level, others)) return *body;
+Body open_body(OpenOutlines const& open, std::size_t own, level::Level const& level) {
+    if (std::optional<Body> body = landscape_of(open, own, level)) return *body;
     // Balls roll on the upper side; beside an upright wall they are where most of the level is.
+    Ring const& edge = open.edges[own];
     Vec2 const way = edge.back() - edge.front();
     std::vector<Vec2> into = left_of(edge, Closing::open);
     bool const upright = std::abs(way.x()) < 0.2 * std::abs(way.y());
@@ -78,14 +98,29 @@ Body open_body(Ring const& edge, level::Level const& level, std::vector<Vec2> co
     return wall_of(edge, Closing::open, std::move(into));
 }
 
+std::vector<geometry::Box> boxes_of(std::vector<Ring> const& rings) {
+    std::vector<geometry::Box> boxes;
+    for (Ring const& ring : rings) boxes.push_back(box_of_ring(ring));
+    return boxes;
+}
+
+// In the order of the file.
+std::vector<std::size_t> overlapping(geometry::BoxTree const& tree, geometry::Box const& box) {
+    std::vector<std::size_t> found;
+    tree.each_overlapping(box, [&](int i) { found.push_back(static_cast<std::size_t>(i)); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 // Which closed outlines have the play inside: for every actor that an odd number of them surrounds, the outermost.
 std::vector<bool> rooms_among(std::vector<Ring> const& rings, std::vector<Vec2> const& actors) {
     std::vector<bool> room(rings.size(), false);
+    geometry::BoxTree const tree(boxes_of(rings));
     for (Vec2 const& actor : actors) {
         int around = 0;
         std::size_t outermost = 0;
         double largest = -1;
-        for (std::size_t i = 0; i < rings.size(); ++i) {
+        for (std::size_t const i : overlapping(tree, {actor, actor})) {
             if (room[i] || !contains(rings[i], actor)) continue;
             ++around;
             double const area = std::abs(signed_area(rings[i]));
@@ -107,9 +142,10 @@ Body solid_body(Ring const& ring) {
 // Solids and the holes in them: a ring inside an odd number of others bounds the earth around it.
 void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::vector<bool> const& room) {
     std::vector<int> body_of(rings.size(), -1);
+    geometry::BoxTree const tree(boxes_of(rings));
     auto const surrounders = [&](std::size_t i) {
         std::vector<std::size_t> around;
-        for (std::size_t j = 0; j < rings.size(); ++j) {
+        for (std::size_t const j : overlapping(tree, {rings[i][0], rings[i][0]})) {
             if (j == i || room[j]) continue;
             bool const within = std::all_of(rings[i].begin(), rings[i].end(),
                                             [&](Vec2 const& point) { return contains(rings[j], point); });
@@ -148,29 +184,26 @@ void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::
 
 std::vector<Body> bodies_of(level::Level const& level) {
     std::vector<Body> bodies;
-    std::vector<Ring> closed, open;
+    std::vector<Ring> closed;
+    OpenOutlines open;
     for (level::Outline const& outline : level.outlines) {
         Ring points = points_along(outline, grass_spacing);
         if (points.size() < 2) continue;
         if (outline.closed && points.size() > 2)
             closed.push_back(std::move(points));
         else
-            open.push_back(std::move(points));
+            open.edges.push_back(std::move(points));
     }
-    std::vector<Vec2> const actors = actors_of(level);
-    std::vector<bool> const room = rooms_among(closed, actors);
+    open.actors = actors_of(level);
+    std::vector<bool> const room = rooms_among(closed, open.actors);
     for (std::size_t i = 0; i < closed.size(); ++i) {
         if (!room[i]) continue;
         std::vector<Vec2> into = left_of(closed[i], Closing::closed);
         if (signed_area(closed[i]) > 0) reverse_side(into);
         bodies.push_back(wall_of(closed[i], Closing::closed, std::move(into)));
     }
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        std::vector<Vec2> others = actors;
-        for (std::size_t j = 0; j < open.size(); ++j)
-            if (j != i) others.push_back(open[j][open[j].size() / 2]);
-        bodies.push_back(open_body(open[i], level, others));
-    }
+    for (Ring const& edge : open.edges) open.middles.push_back(edge[edge.size() / 2]);
+    for (std::size_t i = 0; i < open.edges.size(); ++i) bodies.push_back(open_body(open, i, level));
     add_solids(bodies, closed, room);
     return bodies;
 }

@@ -113,9 +113,18 @@ void add_finish(std::vector<Shape>& shapes, physics::LineRegion const& line, Cam
     add_post(shapes, from, to, post);
 }
 
-geometry::Box box_of_corners(std::vector<Vec2> const& corners) {
+bool are_one(level::Level const& level, std::size_t a, std::size_t b) {
+    std::vector<int> const& elements = level.sensor_elements;
+    return a == b || (std::max(a, b) < elements.size() && elements[a] == elements[b]);
+}
+
+geometry::Box box_of_goal(level::Level const& level, std::size_t first) {
     geometry::Box box;
-    for (Vec2 const& corner : corners) box = geometry::united(box, {corner, corner});
+    for (std::size_t i = first; i < level.scene.sensors.size(); ++i) {
+        auto const* part = std::get_if<physics::PolygonRegion>(&level.scene.sensors[i].region);
+        if (part == nullptr || !are_one(level, i, first)) break;
+        for (Vec2 const& corner : part->corners) box = geometry::united(box, {corner, corner});
+    }
     return box;
 }
 
@@ -129,8 +138,10 @@ std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, 
         physics::Region const& region = level.scene.sensors[i].region;
         if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) add_ring(shapes, *disc, camera, glow);
         if (auto const* line = std::get_if<physics::LineRegion>(&region)) add_finish(shapes, *line, camera, glow);
-        if (auto const* gate = std::get_if<physics::PolygonRegion>(&region))
-            add_gate(shapes, box_of_corners(gate->corners), camera, glow);
+        // The parts of one goal follow each other and are one gate.
+        bool const goes_on = i > 0 && are_one(level, i, i - 1);
+        if (std::holds_alternative<physics::PolygonRegion>(region) && !goes_on)
+            add_gate(shapes, box_of_goal(level, i), camera, glow);
     }
     return shapes;
 }

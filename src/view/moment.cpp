@@ -28,4 +28,12 @@ Moment moment_at(level::Level const& level, physics::History const& history, dou
     return moment;
 }
 
+Moment moment_of(game::Session const& session, double time, Recall recall) {
+    Moment moment = moment_at(*session.level, session.history, time, recall);
+    moment.forces = game::forces_at(session, time);
+    moment.noticed_at = session.noticed_at;
+    moment.status = game::status_at(session, time);
+    return moment;
+}
+
 }  // namespace view

@@ -1,9 +1,9 @@
-// A moment: everything that a picture shows of one time, read from a history and completed by the game.
+// A moment: everything that a picture shows of one time, read from a history and from the game.
 #pragma once
 
 #include <vector>
 
-#include "game/game.h"
+#include "game/session.h"
 #include "physics/world.h"
 #include "view/camera.h"
 #include "view/foresight.h"
@@ -25,16 +25,19 @@ struct Moment {
     std::vector<physics::Contact> contacts;
     std::vector<std::vector<physics::State>> recent;  // the last chart_length, oldest first, by time and ball
 
-    // For the game to complete.
+    // What the game adds.
     physics::Forces forces;          // that act at this time
     std::vector<double> noticed_at;  // s, by sensor: when it first fired; never, or missing, = it has not
     game::Status status;
-    std::vector<Foresight> coming;  // drawn while the player aims
+    std::vector<Foresight> coming;  // the window's own, while the player aims
 };
 
 enum class Recall { nothing, chart };  // whether `recent` is filled: only the overlay of energy shows it
 Moment moment_at(level::Level const& level, physics::History const& history, double time,
                  Recall recall = Recall::nothing);
+
+// The same completed: all that the window and films show of a game at a time that is not forgotten.
+Moment moment_of(game::Session const& session, double time, Recall recall);
 
 inline bool has_fired(Moment const& moment, std::size_t sensor) {
     return sensor < moment.noticed_at.size() && moment.noticed_at[sensor] <= moment.time;

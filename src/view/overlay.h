@@ -18,6 +18,9 @@ struct Overlays {
     bool operator==(Overlays const&) const = default;
 };
 
+// How much of the past the overlays show.
+inline Recall recall_for(Overlays const& overlays) { return overlays.energy ? Recall::chart : Recall::nothing; }
+
 // "figures", "forces", "energy", "all", or several with commas; nothing for a word that is none of them.
 std::optional<Overlays> overlays_from(std::string const& list);
 

@@ -3,13 +3,16 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
+from pathlib import Path
 
 from program import ASSETS, ProgramTest, files_no_longer_than, main, until
 
 DEMO = ASSETS / "runs/demo.json"
 SIZE = ["-s", "128x72"]
+FILM = ["-s", "320x180", "--to", "4", "--fps", "25"]  # 100 frames, four fragments
 
 
 class Record(ProgramTest):
@@ -80,6 +83,85 @@ class Record(ProgramTest):
         self.assert_fails(1, "record", DEMO, "-o", "v.mp4", "-s", "640x360", "--to", "2", "--overwrite",
                           preexec_fn=files_no_longer_than(20000))
         self.assertEqual(old.read_text(), "precious")
+
+    def assert_plays(self, name):
+        """And without a word of complaint; the number of its frames."""
+        said = subprocess.run(["ffmpeg", "-v", "error", "-i", self.folder / name, "-f", "null", "-"],
+                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.assertEqual((said.returncode, said.stderr), (0, b""))
+        return int(self.stream(name)["nb_read_frames"])
+
+    def assert_full_disk_is_told(self, name, frames, **options):
+        result = self.assert_fails(1, "record", DEMO, "-o", name, *FILM, says=name, **options)
+        self.assertFalse((self.folder / name).exists())
+        part = Path(name).with_suffix(".part" + Path(name).suffix)
+        # The encoder's own words may name the part too, be it there or not.
+        self.assertEqual((self.folder / part).exists(), f"is in {part}" in result.stderr.decode())
+        if (self.folder / part).exists():
+            plays = self.assert_plays(part)
+            self.assertTrue(0 < plays <= frames, plays)
+            (self.folder / part).unlink()
+            return True
+        return False
+
+    def size_of_film(self, name):
+        self.done("record", DEMO, "-o", name, *FILM)
+        film = self.folder / name
+        size = film.stat().st_size
+        film.unlink()
+        return size
+
+    def test_a_disk_that_is_really_full_is_a_failure_whatever_the_encoder_says(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk], stderr=subprocess.DEVNULL)
+        if mounted.returncode != 0:
+            self.skipTest("a small file system cannot be mounted here")
+        self.addCleanup(subprocess.run, ["umount", disk], check=True)
+        for ending in ["mp4", "mkv"]:
+            size = self.size_of_film(f"whole.{ending}")
+            left = []
+            for room in [0, size // 3, size - 4097]:  # the last lacks no more than the film's end
+                filler = disk / "filler"
+                filler.write_bytes(bytes((1 << 20) - (room + 4095) // 4096 * 4096))
+                left.append(self.assert_full_disk_is_told(f"disk/v.{ending}", 100))
+                filler.unlink()
+            self.assertEqual(left[0], False)
+            self.assertEqual(left[-1], True)
+
+    def test_a_file_that_may_not_grow_is_a_failure_whatever_the_encoder_says(self):
+        for ending in ["mp4", "mkv"]:
+            size = self.size_of_film(f"whole.{ending}")
+            for blocks in range(0, size // 512, max(1, size // 512 // 6)):
+                real = shutil.which("ffmpeg")
+                limited = self.imposter(f"trap '' XFSZ; ulimit -f {blocks}; exec {real} \"$@\"")
+                self.assert_full_disk_is_told(f"v.{ending}", 100, changes=limited)
+
+    def encoder_of(self, process):
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        return int(children[0]) if children else None
+
+    def test_what_a_killed_encoder_leaves_plays(self):
+        for ending in ["mp4", "mkv"]:
+            part = self.folder / f"v.part.{ending}"
+            process = self.start("record", DEMO, "-o", f"v.{ending}", *SIZE, "--to", "100000")
+            until(lambda: part.exists() and part.stat().st_size > 30000, "the first fragments", process)
+            os.kill(self.encoder_of(process), signal.SIGKILL)
+            _, stderr = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 1)
+            self.assert_one_line(stderr, part.name)
+            self.assertGreater(self.assert_plays(part.name), 0)
+
+    def test_what_an_encoder_that_is_killed_at_once_leaves_is_removed(self):
+        for ending in ["mp4", "mkv"]:
+            process = self.start("record", DEMO, "-o", f"v.{ending}", "-s", "1920x1080", "--to", "100000")
+            os.kill(until(lambda: self.encoder_of(process), "the encoder", process), signal.SIGKILL)
+            _, stderr = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 1)
+            self.assert_one_line(stderr, f"v.{ending}")
+            for part in self.folder.glob("v.*"):
+                self.assertIn(part.name, stderr.decode())
+                self.assert_plays(part.name)
 
     def test_a_video_cut_short_plays_as_far_as_it_goes(self):
         process = self.start("record", DEMO, "-o", "v.mp4", *SIZE, "--to", "100000")

@@ -47,6 +47,23 @@ class Render(ProgramTest):
         self.assertEqual(len(everything), 10)
         self.assertEqual(late, {f"{i}.png": everything[f"{i}.png"] for i in range(5, 10)})
 
+    def test_the_curve_of_energies_depends_on_the_time_alone(self):
+        words = [DEMO, "-s", "640x360", "--to", "5", "--fps", "4"]
+        self.done("render", *words, "-o", "all/%d.png", "--overlay", "energy", "--jobs", "1")
+        self.done("render", *words, "-o", "late/%d.png", "--overlay", "energy", "--jobs", "3", "--from", "4",
+                  "--start-number", "16")
+        everything, late = self.frames("all"), self.frames("late")
+        self.assertEqual(late, {f"{i}.png": everything[f"{i}.png"] for i in range(16, 20)})
+
+    def test_the_curve_of_energies_is_drawn(self):
+        # The lines of height and of the total stand apart here; nothing else below the table has their colours.
+        raw = self.done("render", DEMO, "-o", "-", "-s", "1280x720", "--from", "4", "--to", "4.1", "--fps", "10",
+                        "--overlay", "energy")
+        pixels = [raw[i:i + 3] for i in range(0, len(raw), 3)]
+        below = pixels[1280 * 222:1280 * 318]  # the table of six lines ends at 64 + 150 pixels
+        for colour in [b"\xb0\x5b\xe0", b"\x35\xa8\x5b"]:
+            self.assertGreater(below.count(colour), 50)
+
     def test_raw_frames_are_the_pictures_bytes(self):
         words = ["render", DEMO, *SIZE, "--from", "1", "--to", "1.2", "--fps", "10"]
         raw = self.done(*words, "-o", "-")

@@ -61,6 +61,51 @@ class Usage(ProgramTest):
             self.assert_fails(2, "render", self.small_level, "-o", "f%03d.png", *words)
         self.assert_fails(2, "play", self.small_level, "--renderer", "crayon")
 
+    def test_more_rows_or_frames_than_anybody_can_want_are_wrong_usage_that_names_the_option(self):
+        self.file("long.json", '{"smb2d": 1, "level": "small.svg", "duration": 5e8, "inputs": []}')
+        for words in [[self.small_level, "--every", "1e-18"], [self.small_level, "--every", "1e-9", "--to", "1.1"],
+                      ["long.json", "--every", "1/3"]]:
+            self.assert_fails(2, "simulate", *words, says="--every")
+        self.done("simulate", self.small_level, "--every", "1e-18", "--events", "--to", "0.1")
+        for command, output in [("render", "f%03d.png"), ("record", "v.mp4")]:
+            self.assert_fails(2, command, self.small_level, "-o", output, "--fps", "1e12", says="--fps")
+        self.assert_fails(2, "render", "long.json", "-o", "f%03d.png", "--fps", "3", says="--fps")
+
+    def test_a_class_a_letter_from_a_role_is_a_warning_of_every_command(self):
+        text = self.small_level.read_text().replace("</svg>", '<circle class="bal" cx="5" cy="2" r="0.2"/></svg>')
+        level = self.file("odd.svg", text)
+        run = self.file("odd.json", '{"smb2d": 1, "level": "odd.svg", "duration": 0.1, "inputs": []}')
+        plain = self.done("simulate", self.small_level, "--to", "0.1")
+        sequence = ["-s", "64x36", "--to", "0.1", "--fps", "10"]
+        for words in [["simulate", level, "--to", "0.1"], ["simulate", run], ["verify", run],
+                      ["render", level, "-o", "a.png", *sequence], ["record", level, "-o", "a.mp4", *sequence]]:
+            result = self.smb2d(*words)
+            self.assert_one_line(result.stderr, "odd.svg:3: warning: circle: class bal is a letter away from ball")
+            self.assertEqual(result.returncode, 0)
+            if words[0] == "simulate":
+                self.assertEqual(result.stdout, plain)
+        self.done("render", level, "-o", "b.png", *sequence, "--quiet")
+        self.assertIn(b"warning: circle: class bal", self.done("check", level))
+
+    def test_a_misspelt_ball_is_told_in_the_line_of_the_failure(self):
+        self.file("none.svg", self.small_level.read_text().replace('class="ball"', 'class="bal"'))
+        for subcommand in ["play", "render", "record", "simulate"]:
+            self.assert_fails(1, subcommand, "none.svg", *self.output_for(subcommand),
+                              says="there must be a ball; line 3: circle: class bal is a letter away from ball")
+
+    def test_a_thread_that_cannot_be_started_is_one_line(self):
+        # So little that some threads of eight megabytes of stack fit and not all of 256.
+        def little_memory():
+            import resource
+
+            resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+
+        for words in [["render", "-o", "f%04d.png"], ["record", "-o", "v.mp4"]]:
+            self.assert_fails(1, words[0], self.small_level, *words[1:], "-s", "64x36", "--to", "10", "--jobs", "256",
+                              says="--jobs 256: thread ", preexec_fn=little_memory)
+        self.assert_no_files("f*.png")
+        self.assert_no_files("v*.mp4")
+
     def test_what_is_chosen_for_a_tolerance_is_said_on_standard_error_and_nothing_else_is(self):
         asked = self.smb2d("simulate", self.small_level, "--to", "0.1", "--tolerance", "1e-6")
         self.assertEqual((asked.returncode, asked.stdout), (0, self.done("simulate", self.small_level, "--to", "0.1")))
@@ -70,7 +115,11 @@ class Usage(ProgramTest):
 
     def test_a_tolerance_raises_the_rate_of_steps_unless_that_is_named_and_leaves_exact_as_it_is(self):
         # The error falls with the square of the step: a hundredth of the usual 2.5e-5 m asks for ten times 240 Hz.
-        trace = lambda *words: self.done("simulate", self.small_level, "--to", "0.2", *words)
+        def trace(*words):
+            result = self.smb2d("simulate", self.small_level, "--to", "0.2", *words)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return result.stdout
+
         self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7"),
                          trace("--method", "steps", "--rate", "2400"))
         self.assertEqual(trace("--method", "steps", "--tolerance", "2.5e-7", "--rate", "100"),

@@ -3,11 +3,12 @@
 
 import csv
 import io
+import json
 import os
 import signal
 import subprocess
 
-from program import ASSETS, PATIENCE, ProgramTest, main, until
+from program import ASSETS, PATIENCE, SMALL_LEVEL, ProgramTest, main, until
 
 LEVEL = ASSETS / "levels/01-sunny-hills.svg"
 WIDTH, HEIGHT = 960, 540
@@ -137,6 +138,63 @@ class Window(ProgramTest):
         self.check_that_the_ball_followed(run)
         verified = self.smb2d("verify", run)
         self.assertEqual((verified.returncode, verified.stderr), (0, b""), verified.stdout)
+
+    def inputs(self, run):
+        return json.loads(run.read_text())["inputs"]
+
+    def test_losing_the_focus_lets_go_of_the_ball(self):
+        self.open("software")
+        self.pointer("windowfocus", "--sync", self.window)
+        air = self.patch(TARGET)
+        self.move_to(START)
+        self.pointer("mousedown", 1)
+        self.move_to(TARGET)
+        until(lambda: self.differs(air, TARGET), "the ball to be seen at the pointer", self.game)
+        self.pointer("windowfocus", 0)  # nobody's
+        until(lambda: not self.differs(air, TARGET), "the ball to fall when the focus goes", self.game)
+        self.move_to(START)  # the button is still down
+        self.pointer("mouseup", 1)
+        self.pointer("windowfocus", "--sync", self.window)
+        self.move_to(TARGET)
+        run = self.save()
+        self.close()
+        kinds = [event["event"] for event in self.trace(run, "--events")]
+        self.assertEqual((kinds.count("grab"), kinds.count("release")), (1, 1))
+        self.assertIn("release", self.inputs(run)[-1])
+        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+
+    def test_the_hook_goes_along_while_the_pointer_is_held_still_beyond_the_reach(self):
+        self.open("software")
+        far = (15.5, 8.5)
+        self.move_to(START)
+        self.pointer("mousedown", 1)
+        self.move_to(far)
+        self.pointer("sleep", 1)
+        self.pointer("mouseup", 1)
+        run = self.save()
+        self.close()
+        still = [entry for entry in self.inputs(run) if entry.get("move") == self.inputs(run)[-2]["move"]][1:-1]
+        self.assertGreater(len(still), 5)
+        moments = [round(entry["t"] * 60) for entry in still]
+        self.assertEqual([entry["t"] for entry in still], [moment / 60 for moment in moments])
+        self.assertEqual(moments, list(range(moments[0], moments[-1] + 1)))  # none is left out
+        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+
+    def test_a_spoilt_list_of_best_times_is_set_aside_with_one_message(self):
+        best = self.file("data/smb2d/best.json", '{"00000000000000')
+        level = self.file("over.svg", SMALL_LEVEL.replace("</svg>", '<line class="goal" x1="2.2" x2="2.2" y2="4"/></svg>'))
+        display = Display(self)
+        game = self.start("play", level, "--renderer", "software", "--size", "320x180",
+                          changes={"DISPLAY": display.name, "SDL_VIDEODRIVER": "x11"})
+        aside = best.with_name("best.json.spoilt")
+        until(lambda: aside.exists() and best.exists(), "the best time to be kept", game)
+        self.assertEqual(aside.read_text(), '{"00000000000000')
+        self.assertEqual(len(json.loads(best.read_text())), 1)
+        game.send_signal(signal.SIGTERM)
+        _, stderr = game.communicate(timeout=PATIENCE)
+        said = [line for line in stderr.decode().splitlines() if "best times" in line]
+        self.assertEqual(len(said), 1, stderr)
+        self.assertIn("best.json.spoilt", said[0])
 
     def test_closing_the_window_ends_the_program(self):
         self.open("software")

@@ -37,10 +37,10 @@ TEST_CASE("only a shorter time replaces the best one") {
     level::Level level;
     level.hash = "0123456789abcdef";
     CHECK_FALSE(game::best_time(level));
-    CHECK(game::note_time(level, 12.5) == game::Rank::best);
-    CHECK(game::note_time(level, 13) == game::Rank::behind);
+    CHECK(game::note_time(level, 12.5).rank == game::Rank::best);
+    CHECK(game::note_time(level, 13).rank == game::Rank::behind);
     CHECK(game::best_time(level).value() == 12.5);
-    CHECK(game::note_time(level, 11) == game::Rank::best);
+    CHECK_FALSE(game::note_time(level, 11).set_aside);
     CHECK(game::best_time(level).value() == 11);
 }
 
@@ -51,4 +51,53 @@ TEST_CASE("a spoilt list of best times counts as none") {
     CHECK(game::best_times().empty());
     game::write_whole_file(scratch.path("smb2d/best.json"), "[1, 2]");
     game::best_times();  // whatever it is, it is read without harm
+}
+
+TEST_CASE("a spoilt list of best times is set aside before another is written, and never over another") {
+    Scratch const scratch;
+    setenv("XDG_DATA_HOME", scratch.path("").c_str(), 1);
+    std::string const best = scratch.path("smb2d/best.json");
+    level::Level level;
+    level.hash = "0123456789abcdef";
+    int count = 0;
+    for (std::string const spoilt : {"{\"0000000000000001\": 3", "[1, 2]", "{\"0000000000000001\": \"3 s\"}", ""}) {
+        CAPTURE(spoilt);
+        game::write_whole_file(best, spoilt);
+        game::Noted const noted = game::note_time(level, 5);
+        CHECK(noted.rank == game::Rank::best);
+        REQUIRE(noted.set_aside);
+        CHECK(noted.set_aside->string() == best + ".spoilt" + (++count == 1 ? "" : "-" + std::to_string(count)));
+        CHECK(game::read_whole_file(noted.set_aside->string(), 100) == spoilt);
+        CHECK(game::best_times() == std::map<std::string, double>{{level.hash, 5}});
+    }
+}
+
+TEST_CASE("a file that is a link stays one, and so does one whose target is not there yet") {
+    namespace fs = std::filesystem;
+    Scratch const scratch;
+    setenv("XDG_DATA_HOME", scratch.path("data").c_str(), 1);
+    fs::create_directories(scratch.path("data/smb2d"));
+    fs::create_directories(scratch.path("synced"));
+    fs::create_symlink("../../second", scratch.path("data/smb2d/best.json"));
+    fs::create_symlink(scratch.path("synced/best.json"), scratch.path("second"));
+    level::Level level;
+    level.hash = "0123456789abcdef";
+    auto const is_still_a_link = [&] {
+        return fs::is_symlink(fs::symlink_status(scratch.path("data/smb2d/best.json")));
+    };
+    game::note_time(level, 5);
+    CHECK(is_still_a_link());
+    CHECK(fs::is_regular_file(fs::symlink_status(scratch.path("synced/best.json"))));
+    CHECK(game::best_time(level).value() == 5);
+    scratch.file("synced/best.json", "{");
+    CHECK(game::note_time(level, 6).set_aside.value() == scratch.path("synced/best.json.spoilt"));
+    CHECK(is_still_a_link());
+    CHECK(game::best_time(level).value() == 6);
+}
+
+TEST_CASE("links without end are told") {
+    Scratch const scratch;
+    std::filesystem::create_symlink("b", scratch.path("a"));
+    std::filesystem::create_symlink("a", scratch.path("b"));
+    CHECK(message_of([&] { game::write_whole_file(scratch.path("a"), "x"); }).find(scratch.path("a")) == 0);
 }

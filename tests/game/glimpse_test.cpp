@@ -31,11 +31,27 @@ TEST_CASE("a glimpse of a method is what then comes, bit by bit") {
     }
 }
 
+TEST_CASE("a glimpse of a pull beyond the reach counts on the hook that goes along") {
+    for (physics::Method const& method :
+         {physics::Method{physics::Exact{}}, physics::Method{physics::Steps{}}, physics::Method{physics::Article{}}}) {
+        CAPTURE(physics::name_of(method));
+        game::Session session = session_under(method);
+        Vec2 const pointer = session.level->scene.balls[0].start.position + Vec2(90, 30);
+        physics::History const coming = game::glimpse_held(session, pointer, 1);
+        game::act(session, game::Move{pointer});
+        game::advance_held(session, 0.25, 1.25, [&](double) { return pointer; });
+        CHECK(session.inputs.size() == 62);  // the grab, the move, and one every 1/60 s
+        for (double const t : {0.3, 0.7, 1.0, 1.25})
+            CHECK(physics::state_at(coming, 0, t).position == physics::state_at(session.history, 0, t).position);
+    }
+}
+
 TEST_CASE("a glimpse changes nothing of the game") {
     game::Session session = session_under(physics::Exact{});
     game::Session const before = session;
     game::glimpse(session, game::Move{Vec2(3, 3)}, 2);
     game::glimpse(session, std::nullopt, 2);
+    game::glimpse_held(session, Vec2(30, 30), 2);
     CHECK(session.world.time == before.world.time);
     CHECK(session.world.forces == before.world.forces);
     CHECK(session.inputs.size() == before.inputs.size());

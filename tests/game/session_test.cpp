@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "game/method_choice.h"
+#include "geometry/vector.h"
 #include "scratch.h"
 
 using game::Session;
@@ -98,6 +99,67 @@ TEST_CASE("a move draws the target in again, from where the ball is then") {
     CHECK(geometry::length(target - Vec2(3, 0)) <= 1e-9);  // at 2 m/s for 1 s, and the reach; 240 steps' rounding
 }
 
+TEST_CASE("while the pointer is beyond the reach the hook goes along with the ball") {
+    level::Level level = empty_level(Vec2::Zero());
+    level.drag_reach = 2;
+    level.scene.drag = {1, 0};
+    Session session = game::session_of(std::make_shared<level::Level const>(level), physics::Exact{});
+    Vec2 const pointer(1e6, 0);
+    game::act(session, game::Grab{0, pointer});
+    game::advance_held(session, 0, 1, [&](double) { return pointer; });
+    // For 1/60 s each, an undamped spring whose end is 2 m ahead of where the ball then is.
+    double const turn = 2 * geometry::pi, angle = turn / 60;
+    double place = 0, speed = 0;
+    for (int i = 0; i < 60; ++i) {
+        place += 2 * (1 - std::cos(angle)) + speed / turn * std::sin(angle);
+        speed = 2 * turn * std::sin(angle) + speed * std::cos(angle);
+    }
+    CHECK(physics::state_at(session.history, 0, 1).position.x() == doctest::Approx(place).epsilon(1e-9));
+    REQUIRE(session.inputs.size() == 61);
+    for (int i = 1; i <= 60; ++i) {
+        CHECK(session.inputs[static_cast<std::size_t>(i)].time == i / 60.0);
+        CHECK(std::get<game::Move>(session.inputs[static_cast<std::size_t>(i)].action).pointer == pointer);
+    }
+}
+
+TEST_CASE("where the hook goes does not hang on how often the window asks, and comes out the same from the run") {
+    level::Level level = empty_level(Vec2(-3, 1));
+    level.scene.gravity = 9.81;
+    auto const shared = std::make_shared<level::Level const>(level);
+    auto const pointer = [](double time) { return Vec2(20 - time, 15); };
+    for (physics::Method const& method : {physics::Method{physics::Exact{}}, physics::Method{physics::Steps{100, 4}}}) {
+        CAPTURE(physics::name_of(method));
+        Session once = game::session_of(shared, method), often = game::session_of(shared, method);
+        game::act(once, game::Grab{0, pointer(0)});
+        game::act(often, game::Grab{0, pointer(0)});
+        game::advance_held(once, 0, 1.5, pointer);
+        for (int i = 1; i <= 216; ++i) game::advance_held(often, (i - 1) / 144.0, i / 144.0, pointer);
+        CHECK(once.inputs.size() == often.inputs.size());
+        CHECK(game::state_hash(once, 1.5) == game::state_hash(often, 1.5));
+        Session replayed = game::session_of(shared, method, once.inputs);
+        game::advance(replayed, 1.5);
+        CHECK(game::state_hash(replayed, 1.5) == game::state_hash(once, 1.5));
+    }
+}
+
+TEST_CASE("once the pointer is within the reach the hook is at the pointer and stays there") {
+    level::Level level = empty_level(Vec2::Zero());
+    level.drag_reach = 1;
+    level.scene.drag = {1, 1};
+    Session session = game::session_of(std::make_shared<level::Level const>(level), physics::Exact{});
+    Vec2 const pointer(1.25, 0);
+    auto const resting = [&](double) { return pointer; };
+    game::act(session, game::Grab{0, pointer});
+    CHECK(session.world.forces.pull->target == Vec2(1, 0));
+    game::advance_held(session, 0, 1, resting);
+    CHECK(session.world.forces.pull->target == pointer);
+    std::size_t const moves = session.inputs.size();
+    game::advance_held(session, 1, 8, resting);
+    CHECK(session.inputs.size() == moves);
+    // Critically damped, from less than 1.25 m: 1.25 (1 + w t) exp(-w t) at t = 7 s.
+    CHECK(geometry::length(physics::state_at(session.history, 0, 8).position - pointer) < 1e-16 + 1e-15);
+}
+
 TEST_CASE("tilt beyond the limit is the limit") {
     level::Level level = empty_level(Vec2::Zero());
     level.tilt_limit = 0.3;
@@ -169,6 +231,38 @@ TEST_CASE("bananas count from when the rim touches them, the goal from when the 
     CHECK(game::status_at(session, 1.3).bananas == 1);
     CHECK_FALSE(game::status_at(session, 1.9).goal_time);
     CHECK(game::status_at(session, 2.1).goal_time);
+}
+
+TEST_CASE("the game ends at the same time however often one looks, under every method") {
+    level::Level level = empty_level(Vec2(1, 0));
+    add_line(level, 0.4, level::Meaning::fall);
+    add_line(level, 0.8 - 1e-3, level::Meaning::goal);
+    level.scene.sensors[0].ball = -1;
+    for (physics::Method const& method :
+         {physics::Method(physics::Article{}), physics::Method(physics::Steps{}), physics::Method(physics::Exact{})}) {
+        auto const shared = std::make_shared<level::Level const>(level);
+        Session once = game::session_of(shared, method, drag()), often = game::session_of(shared, method, drag());
+        game::advance(once, 2);
+        for (int i = 0; i <= 120; ++i) {
+            game::advance(often, i / 60.0);
+            game::forget_before(often, i / 60.0);
+        }
+        CHECK(once.noticed_at == often.noticed_at);
+        CHECK(once.goal_time == often.goal_time);
+        CHECK(once.fall_time == often.fall_time);
+        CHECK((once.goal_time || once.fall_time));
+    }
+}
+
+TEST_CASE("a sensor's event that comes in between those judged already is judged") {
+    // At 1 s the goal is crossed and gravity turned.
+    level::Level level = empty_level(Vec2(1, 0));
+    add_line(level, 1, level::Meaning::goal);
+    Session session = session_of(level, {{1, game::Tilt{0.1}}});
+    game::advance(session, 1);
+    game::advance(session, 1 + 1e-9);
+    REQUIRE(session.goal_time);
+    CHECK(std::abs(*session.goal_time - 1) <= 1e-9);
 }
 
 TEST_CASE("what happens first ends the game: no goal after a fall or when time is up") {

@@ -130,3 +130,29 @@ TEST_CASE("an ellipse is followed within tolerance, a circle is one exact arc") 
     CHECK(length(start_of(circle[0]) - Vec2(0, 2)) <= 1e-15);
     CHECK(length(end_of(circle[0]) - Vec2(2, 0)) <= 1e-15);
 }
+
+TEST_CASE("handles drawn in to their ends cost no more than others") {
+    // The double root of the inflections lies on the end; a count that halving to the limit would pass a thousandfold.
+    CHECK(arcs_of_cubic({11.3, 1.5}, {5.3, 1.2}, {2.1, 1.5}, {2.1, 1.5}).size() < 100);
+    std::mt19937_64 random(17);
+    std::uniform_real_distribution<double> metres(-50, 50);
+    for (int i = 0; i < 2000; ++i) {
+        auto const point = [&] { return Vec2(metres(random), metres(random)); };
+        Vec2 const a = point(), b = point(), c = point();
+        CHECK(arcs_of_cubic(a, b, c, c).size() < 1000);
+        CHECK(arcs_of_cubic(a, a, b, c).size() < 1000);
+    }
+    auto const at = cubic({11.3, 1.5}, {5.3, 1.2}, {2.1, 1.5}, {2.1, 1.5});
+    CHECK(deviation(arcs_of_cubic({11.3, 1.5}, {5.3, 1.2}, {2.1, 1.5}, {2.1, 1.5}), at) <= 1e-3);
+}
+
+TEST_CASE("long curves that are nearly straight keep within a millimetre too") {
+    for (double const bend : {0.5, 0.05, 0.005, 0.0005}) {
+        CAPTURE(bend);
+        auto const arcs = arcs_of_cubic({0, 50}, {200, 50 - bend}, {400, 50 - bend}, {600, 50});
+        CHECK(deviation(arcs, cubic({0, 50}, {200, 50 - bend}, {400, 50 - bend}, {600, 50})) <= 1e-3);
+        CHECK(sharpest_joint(arcs) < 1e-3);
+        for (Curve const& curve : arcs)
+            if (auto const* arc = std::get_if<Arc>(&curve)) CHECK(arc->radius <= 1e6);
+    }
+}

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "drawing.h"
+#include "level/notes.h"
 
 using namespace drawing;
 
@@ -90,10 +91,53 @@ TEST_CASE("what is ignored, empty or out of view") {
     CHECK(warnings_of(with("<path class='terrain'/>")) == "3: terrain: is empty");
     CHECK(warnings_of(with("<line class='terrain' x1='5' x2='5'/>")) == "3: terrain: is empty");
     CHECK(warnings_of(path("M0 8H4H4H9")) == "3: terrain: pieces without length are dropped, 1 of them");
-    CHECK(warnings_of(with("<rect class='terrain' x='8' y='5' width='2' height='1' rx='0.2'/>")) ==
-          "3: terrain: round corners are taken as square");
     CHECK(warnings_of(with("<circle class='banana' cx='20' cy='3' r='1'/>")) == "3: banana: lies outside the viewBox");
     CHECK(warnings_of(with("<line class='terrain' x1='-5' x2='-6'/>")) == "3: terrain: lies outside the viewBox");
-    CHECK(warnings_of("<svg viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' r='1'/></svg>") ==
-          "1: ball: starts outside the viewBox");
+    CHECK(warnings_of("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><circle class='ball' cx='-1' cy='3' "
+                      "r='1'/></svg>") == "1: ball: starts outside the viewBox");
+}
+
+TEST_CASE("roles typed where they have no effect") {
+    std::string const how = " gives no role; set its attribute class to ";
+    CHECK(warnings_of(with("<path id='terrain' fill='none' d='M0 8H9'/>")) ==
+          "3: path: the id terrain" + how + "terrain (Inkscape: Edit > XML Editor)");
+    CHECK(warnings_of(with("<g xmlns:inkscape='i' inkscape:label='Terrain 2'/>")) ==
+          "3: g: the label Terrain 2" + how + "terrain (Inkscape: Edit > XML Editor)");
+    CHECK(warnings_of(with("<circle r='1'><title>ball</title></circle>")) ==
+          "3: circle: the title ball" + how + "ball (Inkscape: Edit > XML Editor)");
+    CHECK(warnings_of(with("<g id='ball-holder'/>")) == "");
+}
+
+TEST_CASE("what a browser shows otherwise is told") {
+    std::string const line = "x2='16' y1='8' y2='8'/>";
+    CHECK(warnings_of(with("<line class='terrain' visibility='hidden' " + line)) ==
+          "3: terrain: is hidden and takes part all the same");
+    CHECK(warnings_of(with("<g style='clip-path:url(#c)'><line class='terrain' " + line + "</g>")) ==
+          "3: terrain: a clip path or mask has no effect on it: it counts whole");
+    CHECK(warnings_of(with("<line class='terrain' mask='url(#m)' " + line)) ==
+          "3: terrain: a clip path or mask has no effect on it: it counts whole");
+    CHECK(warnings_of(with("<path class='terrain' style='d:path(\"M0 0\")' d='M0 8H9'/>")) ==
+          "3: terrain: the style property d has no effect; make it an attribute");
+    CHECK(warnings_of(with("<path class='terrain' d='M0 8H9'><animateTransform/></path>")) ==
+          "3: terrain: animateTransform has no effect on it");
+    CHECK(read(with("<rect visibility='hidden' width='1' height='1'/>")).decorations.empty());
+    auto const painted = read(with("<g color='#123456'><rect width='1' height='1' fill='currentColor'/></g>"));
+    CHECK(painted.decorations.at(0).fill == "#123456");
+}
+
+TEST_CASE("a sound level is told its scale, and whether it can be won") {
+    auto const notes = [](std::string const& goal, std::string const& root) {
+        return level::notes_on(read("<svg viewBox='0 0 210 297' " + root +
+                                    "><circle class='ball' cx='9' cy='9' r='4'/>" + goal + "</svg>"));
+    };
+    std::string const goal = "<rect class='goal' x='99' y='9' width='9' height='9'/>";
+    CHECK(notes(goal, "") == std::vector<std::string>{
+                                 "the ball is 8 m across, the level 210 m by 297 m",
+                                 "data-metres-per-unit=\"0.1\" on the svg element would make the ball 0.8 m across; at "
+                                 "another scale gravity does not feel as in the levels that ship"});
+    CHECK(notes(goal, "data-metres-per-unit='.1'") ==
+          std::vector<std::string>{"the ball is 0.8 m across, the level 21 m by 29.7 m"});
+    CHECK(notes("", "data-metres-per-unit='.1'").back() ==
+          "there is no goal and no way to win: give a shape the class goal");
+    CHECK(notes(goal, "data-metres-per-unit='.001'").back().find("data-metres-per-unit=\"0.1\"") == 0);
 }

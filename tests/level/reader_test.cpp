@@ -1,6 +1,8 @@
 #include <limits>
+#include <memory>
 
 #include <doctest/doctest.h>
+#include <libdeflate.h>
 
 #include "drawing.h"
 #include "level/hash.h"
@@ -188,6 +190,62 @@ TEST_CASE("files in UTF-16 and Latin-1 are read as well") {
     auto const latin = read("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + with("<title>H\xfcgel</title>"));
     CHECK(latin.title == "H\xc3\xbcgel");
     CHECK(read("\xef\xbb\xbf" + text).title == "h");
+}
+
+TEST_CASE("bytes that are not in the declared encoding are a fault with their line") {
+    std::string const bad = "<svg xmlns='http://www.w3.org/2000/svg'>\n\n<g id='H\xfcgel'/></svg>";
+    CHECK(fault_of(bad) == ":3: not XML: the byte 0xfc is not UTF-8");
+    CHECK(fault_of("<?xml version='1.0' encoding='utf-8'?>" + bad) == ":3: not XML: the byte 0xfc is not UTF-8");
+    CHECK(fault_of("<?xml version='1.0' encoding='us-ascii'?>" + bad) == ":3: not XML: the byte 0xfc is not US-ASCII");
+    CHECK(fault_of("<?xml version='1.0' encoding='klingon'?>" + bad) ==
+          ":1: not XML: the encoding KLINGON is not known");
+    CHECK(fault_of("<?xml version='1.0' encoding='utf-16'?>" + bad) ==
+          ":1: not XML: it is not in the encoding that it declares, UTF-16");
+    // Longer than need be, a surrogate, beyond Unicode, cut short.
+    for (char const* wrong :
+         {"\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82", "\x80", "\xff"})
+        CHECK(fault_of(with("<g id='" + std::string(wrong) + "'/>")).substr(0, 22) == ":3: not XML: the byte ");
+    CHECK(fault_of(with("<g id='\xe2\x82\xac\xf0\x9f\x8d\x8c\xed\x9f\xbf'/>")) == "");
+    auto const windows = read("<?xml version='1.0' encoding='windows-1252'?>" + with("<title>\x80</title>"));
+    CHECK(windows.title == "\xe2\x82\xac");
+}
+
+TEST_CASE("what is no SVG is no terrain, whatever its prefix") {
+    std::string const ball = "<circle class='ball' cx='3' cy='3' r='1'/>";
+    CHECK(fault_of("<svg xmlns='urn:x' viewBox='0 0 9 9'>" + ball + "</svg>") ==
+          ":1: svg: the root element is of a namespace that is not SVG's");
+    CHECK(warnings_of("<svg viewBox='0 0 9 9'>" + ball + "</svg>") ==
+          "1: svg: without xmlns=\"http://www.w3.org/2000/svg\" browsers show nothing");
+    CHECK(warnings_of(with("<g xmlns='urn:x'><path class='terrain' d='M0 3H16'/></g>")) ==
+          "3: path: is of another namespace and counts for nothing");
+    CHECK(read(with("<g xmlns='urn:x'><s:path xmlns:s='http://www.w3.org/2000/svg' class='terrain' d='M0 3H16'/></g>"))
+              .scene.terrain.pieces.empty());
+    // The prefix of one element is another's on the next.
+    auto const level = read(
+        "<a:svg xmlns:a='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><a:circle class='ball' cx='3' "
+        "cy='3' r='1'/><a:line xmlns:a='urn:x' class='terrain' x2='9'/>"
+        "<b:line xmlns:b='http://www.w3.org/2000/svg' class='terrain' x2='9' y1='8' y2='8'/>"
+        "<line class='terrain' x2='5'/></a:svg>");
+    CHECK(level.scene.terrain.pieces.size() == 1);
+}
+
+TEST_CASE("files packed with gzip are read, bombs are not") {
+    auto const packed = [](std::string const& text) {
+        std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> const packer(
+            libdeflate_alloc_compressor(6), libdeflate_free_compressor);
+        std::string bytes(libdeflate_gzip_compress_bound(packer.get(), text.size()), '\0');
+        bytes.resize(libdeflate_gzip_compress(packer.get(), text.data(), text.size(), bytes.data(), bytes.size()));
+        return bytes;
+    };
+    std::string const text = with("<title>packed</title>");
+    std::string const bytes = packed(text);
+    CHECK(read(bytes).title == "packed");
+    CHECK(read(packed(text.substr(0, 50)) + packed(text.substr(50))).title == "packed");
+    CHECK(read(bytes).hash == level::fnv1a_hex(std::as_bytes(std::span(bytes.data(), bytes.size()))));
+    CHECK(fault_of(bytes.substr(0, bytes.size() - 9)) == ":1: svgz: the packed data is damaged or cut short");
+    CHECK(fault_of(bytes + "x") == ":1: svgz: the packed data is damaged or cut short");
+    CHECK(fault_of(packed(std::string(300'000'000, ' '))) ==
+          ":1: svg: the file must unpack to at most 64 MB, got more");
 }
 
 TEST_CASE("the hash of a level is FNV-1a of its bytes") {

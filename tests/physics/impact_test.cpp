@@ -4,11 +4,13 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/encounter.h"
 #include "physics/impact.h"
 
 using namespace physics;
 
-TEST_CASE("an impact turns the normal speed, keeps v + k s, and takes from slip and energy without reversing the slip") {
+TEST_CASE(
+    "an impact turns the normal speed, keeps v + k s, and takes from slip and energy without reversing the slip") {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> speed(-5, 5), share(0, 1);
     for (int i = 0; i < 100'000; ++i) {
@@ -34,4 +36,26 @@ TEST_CASE("a skidding ball that bounces is braked by mu times the normal impulse
     ContactSpeeds const after = after_impact({-1, 4, 0}, 0.5, 0.2, 0.5);
     CHECK(after.tangent == doctest::Approx(3.7).epsilon(1e-15));
     CHECK(after.rim == doctest::Approx(0.6).epsilon(1e-15));
+}
+
+TEST_CASE("without normal impulse there is no friction, however great") {
+    CHECK(within_grip(1, INFINITY, 0) == 0);
+    CHECK(within_grip(-1, 1e200, 0) == 0);
+    CHECK(within_grip(-3, INFINITY, 1) == -3);
+    CHECK(after_impact({0, 4, 0}, 0.5, INFINITY, 0.5).tangent == 4);
+    Ball a, b;
+    a.friction = b.friction = 1e200;
+    State const spinning{{0, 0}, {0, 0}, 0, 3}, still{{1, 0}, {0, 0}, 0, 0};
+    CHECK(friction_between(a, b) == 1e200);
+    CHECK(pair_friction_impulse(a, spinning, b, still, {1, 0}, 0, 0) == 0);
+    b.friction = 1e-200;
+    CHECK(friction_between(a, b) == doctest::Approx(1));
+    // Three in a row, of which the first two move together: that pair strikes without an impulse.
+    std::vector<Ball> const row(3, a);
+    std::vector<State> states{{{0, 0}, {1, 0}, 0, 2}, {{1, 0}, {1, 0}, 0, 2}, {{2, 0}, {1, 0}, 0, 0}};
+    strike_together(row, {{0, 1}, {1, 2}}, states);
+    for (State const& state : states) {
+        CHECK(geometry::is_finite(state.velocity));
+        CHECK(std::isfinite(state.spin));
+    }
 }

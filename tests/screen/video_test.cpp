@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "screen/film.h"
 #include "screen/folder.h"
 #include "screen/offscreen.h"
 #include "screen/samples.h"
@@ -53,6 +54,16 @@ private:
 screen::VideoSettings small() { return {64, 48, 30, 1, 18}; }
 
 screen::Pixels grey() { return screen::Offscreen().paint(samples::plain(64, 48, {0.5F, 0.5F, 0.5F, 1})); }
+
+std::vector<screen::Pixels> moving(int count) {
+    screen::Offscreen offscreen;
+    std::vector<screen::Pixels> frames;
+    for (int i = 0; i < count; ++i) {
+        float const part = static_cast<float>(i) / static_cast<float>(count);
+        frames.push_back(offscreen.paint(samples::plain(64, 48, {part, 1 - part, 0.5F, 1})));
+    }
+    return frames;
+}
 
 // What is said when three frames are given to an ffmpeg that is the script.
 std::string complaint(std::string const& script, fs::path const& file) {
@@ -158,6 +169,67 @@ TEST_CASE("an ffmpeg that ends well but early is found out by counting") {
     CHECK(has(complaint("while read -r line; do :; done; echo frame=2", folder / "demo.mp4"), "wrote 2 of 3 frames"));
     CHECK(complaint("exit 0", folder / "demo.mp4") != "");
     CHECK_FALSE(fs::exists(folder / "demo.mp4"));
+}
+
+TEST_CASE("what is whole of a film is counted, wherever it is cut") {
+    Folder const folder;
+    for (std::string const name : {"a.mp4", "a.mkv"}) {
+        CAPTURE(name);
+        Video video(folder / name, small());
+        for (auto const& frame : moving(100)) video.add(frame);
+        video.finish();
+        screen::Film const whole = screen::film_in(folder / name);
+        CHECK(whole.frames == 100);
+        CHECK(whole.complete);
+        auto const size = fs::file_size(folder / name);
+        CHECK(whole.whole_bytes < size);
+        fs::path const cut = folder / ("cut-" + name);
+        for (auto const length : {size - 1, whole.whole_bytes, whole.whole_bytes - 1, size / 2, size / 4}) {
+            CAPTURE(length);
+            fs::copy_file(folder / name, cut, fs::copy_options::overwrite_existing);
+            fs::resize_file(cut, length);
+            screen::Film const film = screen::film_in(cut);
+            CHECK_FALSE(film.complete);
+            CHECK(film.whole_bytes <= length);
+            CHECK((film.frames == 100) == (length >= whole.whole_bytes));
+            if (film.frames == 0) continue;
+            fs::resize_file(cut, film.whole_bytes);
+            CHECK(probed(cut, "nb_read_frames") == std::to_string(film.frames));
+        }
+    }
+}
+
+TEST_CASE("what is no film has no frames") {
+    Folder const folder;
+    for (std::string const name : {"a.mp4", "a.mkv"}) {
+        CHECK(screen::film_in(folder / name).frames == 0);
+        for (std::string const& bytes :
+             {std::string(), std::string("a"), std::string(1000, '\xff'), std::string(1000, '\0')}) {
+            std::ofstream(folder / name) << bytes;
+            CHECK(screen::film_in(folder / name).frames == 0);
+            CHECK_FALSE(screen::film_in(folder / name).complete);
+        }
+    }
+}
+
+TEST_CASE("an ffmpeg that says that all is well of a film that is cut is found out") {
+    Folder const folder;
+    std::string const script =
+        "PATH=/usr/local/bin:/usr/bin:/bin; for last; do :; done; ffmpeg \"$@\"; truncate -s -200 \"${last#file:}\"; "
+        "exit 0";
+    for (std::string const name : {"demo.mp4", "demo.mkv"}) {
+        CHECK(has(complaint(script, folder / name), name + ": the file is not whole, with 0 of 3 frames"));
+        CHECK(folder.is_empty());
+    }
+}
+
+TEST_CASE("a part that does not play is not left") {
+    Folder const folder;
+    std::string const script = "for last; do :; done; printf 'no film' > \"${last#file:}\"; ";
+    for (std::string const end : {"kill -9 $$", "exit 1", "exit 0"}) {
+        CHECK(complaint(script + end, folder / "demo.mp4") != "");
+        CHECK(folder.is_empty());
+    }
 }
 
 TEST_CASE("an ffmpeg that talks without end does not block") {

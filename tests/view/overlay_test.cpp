@@ -48,6 +48,31 @@ TEST_CASE("energy is that of motion, rotation, height and spring") {
     CHECK(energy.spring == doctest::Approx(9.8696044).epsilon(1e-8));
 }
 
+TEST_CASE("the curve of energies is that of the last two seconds, however much more of the past is known") {
+    level::Level level = floor_level(16, 9);
+    level.scene.balls[0].start.position = Vec2(5, 6);
+    auto const shared = std::make_shared<level::Level const>(level);
+    game::Session session = game::session_of(shared, physics::Exact{});
+    game::advance(session, 5);
+    view::Recall const recall = view::recall_for({false, false, true});
+    view::Moment const all = view::moment_of(session, 4, recall);
+    game::forget_before(session, 4 - view::camera_memory);
+    view::Moment const late = view::moment_of(session, 4, recall);
+    REQUIRE(all.recent.size() == 61);  // every 1/30 s from 2 s to 4 s
+    REQUIRE(late.recent.size() == 61);
+    for (std::size_t i = 0; i < 61; ++i) {
+        CHECK(all.recent[i][0].position == late.recent[i][0].position);
+        CHECK(all.recent[i][0].position ==
+              physics::state_at(session.history, 0, (60 + static_cast<double>(i)) / 30).position);
+    }
+    view::Camera const camera;
+    std::size_t const with_curve = view::overlay_shapes(level, late, camera, {false, false, true}).size();
+    view::Moment const bare = view::moment_of(session, 4, view::recall_for({true, true, false}));
+    CHECK(bare.recent.empty());
+    // A panel, and of each of the three lines sixty strokes.
+    CHECK(with_curve == view::overlay_shapes(level, bare, camera, {false, false, true}).size() + 1 + 3 * 60);
+}
+
 TEST_CASE("a list of overlays is read word by word") {
     CHECK(view::overlays_from("figures,energy") == view::Overlays{true, false, true});
     CHECK(view::overlays_from("all") == view::Overlays{true, true, true});

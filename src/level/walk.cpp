@@ -1,0 +1,244 @@
+#include "level/walk.h"
+
+#include <algorithm>
+
+#include "level/css.h"
+#include "level/lengths.h"
+#include "level/numbers.h"
+#include "level/scan.h"
+#include "level/viewport.h"
+
+namespace level {
+
+namespace {
+
+bool is_group(std::string_view tag) { return tag == "g" || tag == "a" || tag == "svg" || tag == "switch"; }
+
+// What browsers never draw where it stands.
+bool is_definition(std::string_view tag) {
+    return tag == "defs" || tag == "symbol" || tag == "clipPath" || tag == "mask" || tag == "marker" ||
+           tag == "pattern" || tag == "linearGradient" || tag == "radialGradient" || tag == "filter" ||
+           tag == "title" || tag == "desc" || tag == "metadata" || tag == "style";
+}
+
+// SVG 2, section 5.8: whether an element is for readers such as we are. Ours read English, wherever they are, so that
+// a drawing is one level.
+bool applies(pugi::xml_node node) {
+    pugi::xml_attribute const extensions = node.attribute("requiredExtensions");
+    pugi::xml_attribute const languages = node.attribute("systemLanguage");
+    if (extensions) return false;
+    if (!languages) return true;
+    std::string text = languages.value();
+    std::replace(text.begin(), text.end(), ',', ' ');
+    for (std::string_view const language : words_of(text))
+        if (same_word(language, "en") || same_word(language.substr(0, 3), "en-")) return true;
+    return false;
+}
+
+pugi::xml_node first_that_applies(pugi::xml_node choice) {
+    for (pugi::xml_node const child : choice.children()) {
+        std::string_view const tag = Document::tag_of(child);
+        if (!tag.empty() && !is_definition(tag) && applies(child)) return child;
+    }
+    return {};
+}
+
+std::string_view reference_of(pugi::xml_node use) {
+    pugi::xml_attribute const plain = use.attribute("href");
+    return trimmed(plain ? plain.value() : use.attribute("xlink:href").value());
+}
+
+bool is_text(pugi::xml_node node) { return node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata; }
+
+}  // namespace
+
+Walk::Walk(Document const& document, Frame const& frame, Reading& reading)
+    : document_(document), reading_(reading), styles_(read_sheets()), elements_(document, reading) {
+    pugi::xml_node const root = document.root();
+    Context context;
+    context.style = styles_.of(root, Style{});
+    if (context.style.hidden) return;
+    elements_.inspect_group(root, "svg");
+    if (!context.style.placement.transform.empty()) warn(root, "transform has no effect on the root");
+    context.to_world = frame.to_world;
+    context.viewport = frame.view_box;
+    context.inherited = inherited_by(root, Inherited{});
+    open_.insert(root.hash_value());
+    branches_.push_back({root.first_child(), Siblings::all, std::move(context), {}, {}});
+    for (pugi::xml_node node = root; node; node = next_within(node, root))
+        elements_met_ += node.type() == pugi::node_element;
+    walk();
+}
+
+Sheet Walk::read_sheets() {
+    Sheet sheet;
+    std::size_t size = 0;
+    for (pugi::xml_node node = document_.root(); node; node = next_within(node, document_.root())) {
+        if (node.type() != pugi::node_element) continue;
+        if (std::string_view(node.name()) == "style" && size <= largest_sheet) read_sheet(node, sheet, size);
+    }
+    return sheet;
+}
+
+void Walk::read_sheet(pugi::xml_node node, Sheet& sheet, std::size_t& size) {
+    std::string_view const type = trimmed(node.attribute("type").value());
+    std::string_view const media = trimmed(node.attribute("media").value());
+    bool const for_us = (type.empty() || same_word(type, "text/css")) &&
+                        (media.empty() || same_word(media, "all") || same_word(media, "screen"));
+    if (!for_us) return warn(node, "is ignored: it is not CSS for screens");
+    std::string text;
+    for (pugi::xml_node const child : node.children())
+        if (is_text(child)) text += child.value();
+    size += text.size();
+    if (size > largest_sheet) return fault(node, "style sheets must have at most 1 MB together, got more");
+    auto const ignored = sheet.add(std::move(text));
+    if (ignored.empty()) return;
+    std::string const more = ignored.size() > 1 ? ", and " + std::to_string(ignored.size() - 1) + " more" : "";
+    warn(node, ignored[0] + " is ignored" + more);
+}
+
+void Walk::walk() {
+    while (!branches_.empty() && !full_) {
+        Branch& branch = branches_.back();
+        pugi::xml_node const node = branch.next;
+        if (!node) {
+            if (branch.target) open_.erase(branch.target.hash_value());
+            branches_.pop_back();
+            continue;
+        }
+        branch.next = branch.siblings == Siblings::all ? node.next_sibling() : pugi::xml_node();
+        // By value: entering may move the branches.
+        Context const above = branch.context;
+        enter(node, above, branch.use);
+    }
+}
+
+void Walk::enter(pugi::xml_node node, Context const& above, pugi::xml_node use) {
+    std::string_view const tag = Document::tag_of(node);
+    bool const shown_symbol = tag == "symbol" && use;
+    if (tag.empty() || (is_definition(tag) && !shown_symbol) || !applies(node)) return;
+    if (above.copy != Copy::none && !count_copy(node)) return;
+    Context context = above;
+    context.copy = above.copy == Copy::none ? Copy::none : use ? Copy::itself : Copy::within;
+    context.style = styles_.of(node, above.style);
+    if (context.style.hidden) return;
+    context.inherited = inherited_by(node, context.inherited);
+    context.to_world = composed(context.to_world, placement_of(node, tag, context));
+    if (tag == "use") return enter_copy(node, std::move(context));
+    if (is_group(tag) || shown_symbol) return enter_group(node, tag, std::move(context), use);
+    context.id = node.attribute("id").value();
+    if (use && use.attribute("id")) context.id = use.attribute("id").value();
+    elements_.read(node, tag, context);
+}
+
+void Walk::enter_group(pugi::xml_node node, std::string_view tag, Context context, pugi::xml_node use) {
+    elements_.inspect_group(node, tag);
+    if (auto const role = elements_.role_of_group(node)) context.role = role;
+    if ((tag == "svg" || tag == "symbol") && !enter_viewport(node, use, context)) return;
+    pugi::xml_node const first = tag == "switch" ? first_that_applies(node) : node.first_child();
+    Siblings const siblings = tag == "switch" ? Siblings::alone : Siblings::all;
+    if (first) branches_.push_back({first, siblings, std::move(context), {}, {}});
+}
+
+void Walk::enter_copy(pugi::xml_node use, Context context) {
+    elements_.inspect_group(use, "use");
+    if (auto const role = elements_.role_of_group(use)) context.role = role;
+    pugi::xml_node const target = target_of(use);
+    if (!target) return;
+    if (open_.contains(target.hash_value()))
+        return fault(use, "is part of what it copies, " + quoted(reference_of(use)));
+    try {
+        Vec2 const& around = context.viewport.size;
+        std::string_view const x = use.attribute("x").value(), y = use.attribute("y").value();
+        double const right = trimmed(x).empty() ? 0 : length_of_text(x, around.x());
+        double const down = trimmed(y).empty() ? 0 : length_of_text(y, around.y());
+        context.to_world = composed(context.to_world, {1, 0, 0, 1, right, down});
+    } catch (Broken const& broken) {
+        return fault(use, std::string("x and y must be lengths: ") + broken.what());
+    }
+    context.copy = Copy::itself;
+    open_.insert(target.hash_value());
+    branches_.push_back({target, Siblings::alone, std::move(context), use, target});
+}
+
+bool Walk::enter_viewport(pugi::xml_node node, pugi::xml_node use, Context& context) {
+    try {
+        auto const viewport = viewport_of(node, use, context.viewport.size);
+        if (!viewport) return false;
+        context.to_world = composed(context.to_world, viewport->map);
+        context.viewport = {Vec2::Zero(), viewport->size};
+        std::string_view const overflow = trimmed(node.attribute("overflow").value());
+        if (same_word(overflow, "visible") || same_word(overflow, "auto")) return true;
+        geometry::Box shown;
+        for (Vec2 const& share : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
+            Vec2 const corner = mapped(context.to_world, viewport->corner + Vec2(share.x() * viewport->size.x(),
+                                                                                 share.y() * viewport->size.y()));
+            shown = geometry::united(shown, {corner, corner});
+        }
+        context.shown = shown;
+        return true;
+    } catch (Broken const& broken) {
+        fault(node, broken.what());
+        reading_.in_place = false;
+        return false;
+    }
+}
+
+bool Walk::count_copy(pugi::xml_node node) {
+    for (pugi::xml_attribute const attribute : node.attributes())
+        copied_bytes_ += std::string_view(attribute.value()).size();
+    bool const many = ++elements_met_ > most_elements, much = copied_bytes_ > largest_file;
+    if (!many && !much) return true;
+    fault(node, many ? "a level must have at most 100000 elements, copies by use included"
+                     : "copies by use must have at most 64 MB, got more");
+    full_ = true;
+    reading_.in_place = false;
+    return false;
+}
+
+Affine Walk::placement_of(pugi::xml_node node, std::string_view tag, Context const& context) {
+    Placement const& given = context.style.placement;
+    char const* what = "transform: ";
+    try {
+        Vec2 const& whole = context.viewport.size;
+        Affine map = composed(parsed_function("translate", given.translate.empty() ? "none" : given.translate, whole),
+                              composed(parsed_function("rotate", given.rotate.empty() ? "none" : given.rotate, whole),
+                                       parsed_function("scale", given.scale.empty() ? "none" : given.scale, whole)));
+        map = composed(map, parsed_transform(given.transform, whole));
+        bool const stays =
+            given.transform.empty() && given.translate.empty() && given.rotate.empty() && given.scale.empty();
+        if (stays || (given.origin.empty() && given.box.empty())) return map;
+        what = "transform-origin: ";
+        ReferenceBox const box = elements_.reference_box(node, tag, given.box, context);
+        return about(parsed_origin(given.origin.empty() ? "0 0" : given.origin, box), map);
+    } catch (Broken const& broken) {
+        reading_.report.fault(document_.line_of(node), elements_.label(node, tag) + ": " + what + broken.what());
+        reading_.in_place = false;
+        return {};
+    }
+}
+
+pugi::xml_node Walk::target_of(pugi::xml_node use) {
+    std::string_view const reference = reference_of(use);
+    if (reference.substr(0, 1) != "#") {
+        warn(use, "is ignored: only elements of the same file are copied, got " + quoted(reference));
+        return {};
+    }
+    if (by_id_.empty())
+        for (pugi::xml_node node = document_.root(); node; node = next_within(node, document_.root()))
+            if (pugi::xml_attribute const id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
+    auto const found = by_id_.find(reference.substr(1));
+    if (found != by_id_.end()) return found->second;
+    warn(use, "is ignored: there is no element " + quoted(reference));
+    return {};
+}
+
+void Walk::fault(pugi::xml_node node, std::string const& what) {
+    reading_.report.fault(document_.line_of(node), std::string(Document::tag_of(node)) + ": " + what);
+}
+
+void Walk::warn(pugi::xml_node node, std::string const& what) {
+    reading_.report.warn(document_.line_of(node), std::string(Document::tag_of(node)) + ": " + what);
+}
+
+}  // namespace level
