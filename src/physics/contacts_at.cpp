@@ -97,7 +97,8 @@ private:
     }
 
     void fill_socket(int index, Arc const& arc, int inner_side) {
-        int const count = static_cast<int>(std::ceil(std::abs(arc.sweep) / socket_spacing));
+        // An odd number, so that one of them lies in the middle.
+        int const count = static_cast<int>(std::ceil(std::abs(arc.sweep) / socket_spacing)) | 1;
         for (int i = 0; i < count; ++i) {
             auto const [sine, cosine] = geometry::sine_cosine(arc.from + arc.sweep * (i + 0.5) / count);
             supports.push_back({{index, inner_side}, Vec2(-cosine, -sine)});

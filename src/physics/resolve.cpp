@@ -21,6 +21,8 @@ constexpr double rounding_share = 1e-12;
 constexpr int most_blows = 200;
 // Normals nearer than this to parallel leave a ball free to move along both surfaces.
 constexpr double parallel = 1e-9;
+// A depth up to here, in m, is the rounding of one bounce.
+constexpr double least_depth = 1e-11;
 // Forces below this share of the field are rounding.
 constexpr double hold_rounding = 1e-12;
 // Normals nearer than this to opposite do not hold what lies between them.
@@ -137,6 +139,10 @@ Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
 std::optional<double> hop_on(Setting const& setting, Struck const& struck, std::size_t i) {
     double const normal_speed = dot(struck.state.velocity, struck.supports[i].normal);
     if (normal_speed <= struck.still) return 0;
+    if (!fits(setting.terrain, struck.supports[i].contact, setting.ball.radius)) {
+        if (normal_speed <= sway_speed(setting, struck.state)) return 0;
+        return std::nullopt;
+    }
     // What drives a ball against the end of its track may be friction, of which the pressing field does not tell.
     bool const known = struck.supports[i].contact == struck.known;
     if (known && struck.blows.empty() && normal_speed <= sway_speed(setting, struck.state)) return 0;
@@ -215,20 +221,6 @@ std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std:
     return std::nullopt;
 }
 
-// Two points level with the ball's centre, just as far apart as it is wide, hold it by rounding alone: it passes them.
-Vec2 past_opposites(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept) {
-    Vec2 const load = acceleration_in(setting.field, struck.state.position, Vec2::Zero());
-    for (std::size_t const i : kept)
-        for (std::size_t const j : kept) {
-            Vec2 const& normal = struck.supports[i].normal;
-            bool const opposite = geometry::length(normal + struck.supports[j].normal) <= opposite_normals;
-            Vec2 const along = load - dot(load, normal) * normal;
-            double const pull = geometry::length(along);
-            if (opposite && pull > 0) return along * (touch_reach / pull);
-        }
-    return Vec2::Zero();
-}
-
 bool presses(Setting const& setting, Struck const& struck, std::size_t i) {
     Support const& support = struck.supports[i];
     if (fits(setting.terrain, support.contact, setting.ball.radius))
@@ -240,12 +232,6 @@ bool presses(Setting const& setting, Struck const& struck, std::size_t i) {
 Turnout stuck(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept, double time) {
     Turnout turnout;
     State state = struck.state;
-    Vec2 const passing = past_opposites(setting, struck, kept);
-    if (passing != Vec2::Zero()) {
-        state.position += passing;
-        turnout.course = flight_course(setting, state, time);
-        return turnout;
-    }
     for (std::size_t const i : kept) {
         if (!presses(setting, struck, i)) continue;
         state.velocity = Vec2::Zero();
@@ -299,11 +285,49 @@ bool stands_among_several(Setting const& setting, Struck const& struck) {
     return all.size() > 1 && speed * speed <= 2 * pull * height && pins(struck, all);
 }
 
+// Between two points as far apart as the ball is wide, within touch, it is held by rounding alone: it passes them. By two
+// surfaces that face each other it may be held no better.
+std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept,
+                               double time) {
+    double const radius = setting.ball.radius;
+    Vec2 const load = acceleration_in(setting.field, struck.state.position, Vec2::Zero());
+    auto const faces = [&](std::size_t i, std::size_t j) {
+        Vec2 const sum = struck.supports[i].normal + struck.supports[j].normal;
+        bool const points = setting.terrain.is_vertex(struck.supports[i].contact.feature) &&
+                            setting.terrain.is_vertex(struck.supports[j].contact.feature);
+        double const nearest = points ? std::sqrt(8 * touch_reach / radius) : opposite_normals;
+        return geometry::length(sum) <= nearest;
+    };
+    for (std::size_t const i : kept) {
+        if (!fits(setting.terrain, struck.supports[i].contact, radius)) return std::nullopt;
+        for (std::size_t const j : kept) {
+            if (i >= j || !faces(i, j)) continue;
+            Vec2 const normal = struck.supports[i].normal - struck.supports[j].normal;
+            Vec2 const along = load - (dot(load, normal) / dot(normal, normal)) * normal;
+            double const pull = geometry::length(along);
+            if (!(pull > hold_rounding * geometry::length(load))) continue;
+            Vec2 const sum = struck.supports[i].normal + struck.supports[j].normal;
+            double const way = radius * geometry::length(sum) / 2 + touch_reach;
+            Turnout turnout;
+            turnout.course.leg.since = time;
+            State state = struck.state;
+            state.velocity = Vec2::Zero();
+            turnout.course.leg.motion = Ballistic{state, along, 0};
+            turnout.course.duration = std::sqrt(2 * way / pull);
+            turnout.course.leg.until = time + turnout.course.duration;
+            turnout.course.ending = Ending::meets;
+            return turnout;
+        }
+    }
+    return std::nullopt;
+}
+
 // Along one of several surfaces that a ball keeps to, or else standing: held by them, let go by one of them, or jammed.
 Turnout among_several(Setting const& setting, Struck& struck, std::vector<std::size_t> const& kept, double time) {
     if (struck.state.velocity != Vec2::Zero())
         if (auto const on = way_out(setting, struck, kept, time)) return *on;
     if (pins(struck, kept)) struck.state.velocity = Vec2::Zero();
+    if (auto const on = passing(setting, struck, kept, time)) return *on;
     if (auto const held = wedged(setting, struck, kept, time)) return *held;
     if (auto const on = way_out(setting, struck, kept, time)) return *on;
     return stuck(setting, struck, kept, time);
@@ -359,10 +383,10 @@ Struck struck_at(Setting const& setting, State const& state, Contact known) {
         Vec2 const normal = normal_at(track, nearest_coordinate(track, state.position));
         struck.touched.push_back({known, normal, 0, track.straight ? 0 : track.sense / track.rho});
     }
-    // What rounding has left of a depth must not add up over many bounces.
-    for (Support const& s : struck.touched)
-        if (s.contact == known && s.gap < 0 && s.gap >= -touch_reach) struck.state.position -= s.gap * s.normal;
     choose_supports(setting, struck);
+    // What rounding has left of a depth must not add up over many bounces.
+    for (Support const& s : struck.supports)
+        if (s.gap < -least_depth && s.gap >= -touch_reach) struck.state.position -= s.gap * s.normal;
     return struck;
 }
 
