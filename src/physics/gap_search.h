@@ -128,7 +128,10 @@ private:
             if (!(to > from) && i > 0) continue;
             if (!domain.holds(middle)) continue;
             // Running off the feature's end: what comes next there is looked at by itself.
-            if (to < until && geometry::length(path_.at(to) - path_.at(from)) <= 4 * touch_reach) continue;
+            Vec2 const place = path_.at(from);
+            bool const goes_nowhere = geometry::length(path_.at(to < never ? to : middle) - place) <= 4 * touch_reach &&
+                                      geometry::length(path_.at(middle) - place) <= 4 * touch_reach;
+            if (to < until && goes_nowhere) continue;
             if (!in_front(from)) continue;
             std::array<double, N> from_here = geometry::counted_from(from, gap);
             if (begin(from_here, metre, from, bend) == Stand::met) return offer(from, contact);
