@@ -52,8 +52,10 @@ inline void offer_ends_at_hand(Soonest& soonest, Setting const& setting, Rider c
     bool const at_low = rider.q - ends.low.q <= end_reach && acceleration < 0;
     if (!at_high && !at_low) return;
     double const sway = sway_speed(setting, state_of(setting, rider));
-    if (at_high && rider.speed >= -sway) soonest.offer(0.0, ends.high);
-    if (at_low && rider.speed <= sway) soonest.offer(0.0, ends.low);
+    // A joint is passed in the direction of the motion alone.
+    double const high_sway = ends.high.kind == EndKind::joint ? 0 : sway, low_sway = ends.low.kind == EndKind::joint ? 0 : sway;
+    if (at_high && rider.speed >= -high_sway) soonest.offer(0.0, ends.high);
+    if (at_low && rider.speed <= low_sway) soonest.offer(0.0, ends.low);
 }
 
 Course line_course(Setting const& setting, Rider const& rider, Law const& law, TrackEnds const& ends, double since);
