@@ -307,7 +307,7 @@ std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std
             double const pull = geometry::length(along);
             if (!(pull > hold_rounding * geometry::length(load))) continue;
             Vec2 const sum = struck.supports[i].normal + struck.supports[j].normal;
-            double const way = radius * geometry::length(sum) / 2 + touch_reach;
+            double const way = radius * geometry::length(sum) / 2 + touch_reach / 8;
             Turnout turnout;
             turnout.course.leg.since = time;
             State state = struck.state;
@@ -386,7 +386,7 @@ Struck struck_at(Setting const& setting, State const& state, Contact known) {
     choose_supports(setting, struck);
     // What rounding has left of a depth must not add up over many bounces.
     for (Support const& s : struck.supports)
-        if (s.gap < -least_depth && s.gap >= -touch_reach) struck.state.position -= s.gap * s.normal;
+        if (s.gap < -least_depth && s.gap >= -8 * touch_reach) struck.state.position -= s.gap * s.normal;
     return struck;
 }
 

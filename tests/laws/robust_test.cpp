@@ -1,0 +1,129 @@
+// One ball under the exact method where engines let it fall through: kinds of scenes that came from outside or that
+// the hunt found. No ball is ever deeper than 1e-9 m, and none is handed over.
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "laws/scenes.h"
+
+using namespace laws;
+using physics::EventKind;
+using physics::Phase;
+
+namespace {
+
+// The deepest place, seen at close times: radius less distance to the nearest curve as it was drawn.
+double deepest(std::vector<physics::Piece> const& drawn, Run& run, double until) {
+    double deepest = -1;
+    double const radius = run.scene.balls[0].radius;
+    for (int i = 1; i <= until * 997; ++i) {
+        run.to(i / 997.0);
+        for (physics::Piece const& piece : drawn)
+            deepest = std::max(deepest,
+                               radius - geometry::nearest_point(piece.curve, run.state().position).distance);
+    }
+    CHECK(count_of(run.history, EventKind::handover) == 0);
+    return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("a ball that leaves a rounded corner upwards comes back on to it") {
+    std::vector<physics::Piece> const pieces{line({0, 0}, {12, 0}, material(0.9)),
+                                             arc({12, 2}, 2, -pi / 2, pi / 2, material(0.9)),
+                                             line({14, 2}, {14, 3}, material(0.9))};
+    Run run(physics::Exact{}, scene_of(pieces, {disc_at({3, 0.5}, {7, 0}, -14)}));
+    CHECK(deepest(pieces, run, 4) <= 1e-9);
+    CHECK(run.state().velocity.x() < 0);  // it is on its way back
+}
+
+TEST_CASE("a ball that flies up along a wall meets the arch that the wall goes over into") {
+    std::vector<physics::Piece> const pieces{line({0, 0}, {0, 2.5}, material(0.9, 0.5)),
+                                             arc({3, 2.5}, 3, pi, -pi / 2, material(0.9, 0.5)),
+                                             line({0, 0}, {6, 0}, material(0.9, 0.5))};
+    // Up to 0.3 m above the joint and back: along the chord of the way nothing is gained.
+    Run run(physics::Exact{}, scene_of(pieces, {disc_at({0.5, 0.5}, {0, std::sqrt(2 * g * 2.3)})}));
+    CHECK(deepest(pieces, run, 3) <= 1e-9);
+}
+
+TEST_CASE("a ball falls into a cup of its own radius, or a bit wider, and rests where it fits") {
+    for (double const play : {0.0, 1e-10, 1e-7, 1e-3}) {
+        CAPTURE(play);
+        std::vector<physics::Piece> const pieces{arc({8, 4}, 0.5 + play, pi, pi, material(0.9))};
+        Run run(physics::Exact{}, scene_of(pieces, {disc_at({8, 6})}));
+        CHECK(deepest(pieces, run, 4) <= 1e-9);
+        CHECK(run.state().position.x() == doctest::Approx(8).epsilon(1e-12));
+        CHECK(std::abs(run.state().position.y() - (4 - play)) <= (play < 1e-6 ? play : 0) + 1e-9);
+        CHECK(run.leg().phase == Phase::rest);
+    }
+}
+
+TEST_CASE("what is drawn twice, there and back or in parts is as if drawn once") {
+    physics::Material const of = material(0.9);
+    physics::Ball const ball = disc_at({9, 0.5}, {-3, 0});
+    auto const moved = [&](std::vector<physics::Piece> const& pieces) {
+        return state_after(physics::Exact{}, scene_of(pieces, {ball}), 6);
+    };
+    physics::State const once = moved({line({0, 0}, {6, 0}, of), line({6, 0}, {10, 0}, of)});
+    for (auto const& other : {moved({line({0, 0}, {6, 0}, of), line({6, 0}, {10, 0}, of), line({0, 0}, {6, 0}, of),
+                                     line({6, 0}, {10, 0}, of)}),
+                              moved({line({0, 0}, {6, 0}, of), line({6, 0}, {10, 0}, of), line({10, 0}, {6, 0}, of),
+                                     line({6, 0}, {0, 0}, of)}),
+                              moved({line({0, 0}, {10, 0}, of), line({7, 0}, {3, 0}, of)})}) {
+        CHECK(geometry::length(other.position - once.position) <= 1e-9);
+        CHECK(geometry::length(other.velocity - once.velocity) <= 1e-9);
+    }
+    // Where surfaces differ the greater friction counts.
+    physics::State const ice = moved({line({0, 0}, {10, 0}, material(0)), line({10, 0}, {0, 0}, of)});
+    CHECK(geometry::length(ice.position - once.position) <= 1e-9);
+}
+
+TEST_CASE("a ball falls through a hole as wide as itself, without friction") {
+    std::vector<physics::Piece> const pieces{line({0, 0}, {8, 0}, material(0)), line({9, 0}, {16, 0}, material(0))};
+    Run run(physics::Exact{}, scene_of(pieces, {disc_at({7, 0.5}, {1, 0})}));
+    CHECK(deepest(pieces, run, 4) <= 1e-9);
+    CHECK(run.state().position.y() < -1);
+}
+
+TEST_CASE("ends less than a micrometre apart hold a ball that starts between them") {
+    std::vector<physics::Piece> const pieces{line({0, 0}, {1, 0}, material(0.9)),
+                                             line({1 + 1e-7, 1e-7}, {8, 1e-7}, material(0.9))};
+    Run run(physics::Exact{}, scene_of(pieces, {disc_at({1, 0.5}, {1, 0}, -2)}));
+    run.to(3);
+    CHECK(run.state().position.x() == doctest::Approx(4).epsilon(1e-6));  // the gap is a joint: the speed is kept
+    CHECK(run.state().position.y() >= 0.5);
+    CHECK(count_of(run.history, EventKind::handover) == 0);
+}
+
+TEST_CASE("without gravity a ball goes from a line on to a tangent arc at once") {
+    std::vector<physics::Piece> const pieces{line({-10, 0}, {0, 0}, material(0.9)),
+                                             arc({0, -1.5}, 1.5, pi / 2, -pi / 2, material(0.9)),
+                                             line({1.5, -1.5}, {1.5, -9}, material(0.9))};
+    physics::Scene scene = scene_of(pieces, {disc_at({-1, -0.5}, {5, 0}, 10)});
+    scene.gravity = 0;
+    Run run(physics::Exact{}, scene);
+    CHECK(deepest(pieces, run, 2) <= 1e-9);
+    CHECK(geometry::length(run.state().velocity) == doctest::Approx(5).epsilon(1e-12));
+    CHECK(run.history.events.size() < 10);
+}
+
+TEST_CASE("bounces of restitution 0.999 end at the time of their sum") {
+    Run run(physics::Exact{}, floor_with(disc_at({0, 1.5}), material(0.9, 0.999)));
+    run.to(1000);
+    double ends = -1;
+    for (physics::Event const& event : run.history.events)
+        if (event.kind == EventKind::rest) ends = event.time;
+    CHECK(ends == doctest::Approx(std::sqrt(2 / g) * 1.999 / 0.001).epsilon(1e-10));  // 902.596 s
+    CHECK(count_of(run.history, EventKind::handover) == 0);
+}
+
+TEST_CASE("held by the spring in a corner of restitution 1 a ball comes to rest") {
+    physics::Material const of = material(0.1, 1, 0.05);
+    Run run(physics::Exact{}, scene_of({line({0, 8}, {0, 0}, of), line({0, 0}, {16, 0}, of)}, {disc_at({3, 3}, {1, 2})}));
+    run.pull(0, {-2, -1});
+    run.to(6);
+    CHECK(run.leg().phase == Phase::rest);
+    CHECK(geometry::length(run.state().position - Vec2(0.5, 0.5)) <= 1e-9);
+    CHECK(count_of(run.history, EventKind::handover) == 0);
+    CHECK(run.history.events.size() < 5000);
+}
