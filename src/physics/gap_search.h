@@ -118,7 +118,8 @@ private:
         for (int i = 0; i < domain.count; ++i) {
             Linear edge = domain.edges[i];
             edge[0] -= touch_reach;
-            for (double const t : geometry::crossings(edge, until).all()) bounds[count++] = t;
+            geometry::Crossings const crossings = geometry::crossings(edge, until);
+            for (double const t : crossings.all()) bounds[count++] = t;
         }
         std::sort(bounds.begin(), bounds.begin() + count);
         bounds[count++] = until;
