@@ -98,7 +98,7 @@ class Simulate(ProgramTest):
 
     def test_an_interrupt_ends_it_with_130(self):
         with open(self.folder / "trace.csv", "wb") as trace:
-            process = self.start("simulate", self.small_level, "--to", "1e8", stdout=trace)
+            process = self.start("simulate", self.small_level, "--to", "1e7", stdout=trace)
             until(lambda: (self.folder / "trace.csv").stat().st_size > 1000, "the first rows", process)
             process.send_signal(signal.SIGINT)
             _, stderr = process.communicate(timeout=100)
