@@ -78,14 +78,13 @@ int check(CheckOptions const& options) {
 
 }  // namespace
 
-Command check_command(CLI::App& program) {
+Command check_command(CommandLine& program) {
     auto const options = std::make_shared<CheckOptions>();
-    CLI::App* const command =
-        program.add_subcommand("check", "What is wrong or suspicious in a level, and what it needs");
-    command->add_option("files", options->files, "levels (.svg)")->required()->type_name("LEVEL");
-    command->add_option("--tolerance", options->method.tolerance, "say which method keeps this error at the least cost")
-        ->type_name("METRES");
-    command->footer("Ends with 3 when a level has a fault. Example: smb2d check assets/levels/*.svg");
+    Subcommand command = program.add("check", "What is wrong or suspicious in a level, and what it needs");
+    command.needs("files", options->files, "levels (.svg)", "LEVEL");
+    command.takes("--tolerance", options->method.tolerance, "say which method keeps this error at the least cost",
+                  "METRES");
+    command.ends_help_with("Ends with 3 when a level has a fault. Example: smb2d check assets/levels/*.svg");
     return {command, [options] { return check(*options); }};
 }
 

@@ -1,11 +1,11 @@
-// Subcommands: each declares its options on the program and says what to do once they are read.
+// Subcommands: each declares its options on the command line and says what to do once they are read.
 #pragma once
 
 #include <functional>
 #include <stdexcept>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "app/command_line.h"
 
 namespace app {
 
@@ -22,16 +22,16 @@ struct UsageError : std::runtime_error {
 };
 
 struct Command {
-    CLI::App* options = nullptr;  // owned by the program
-    std::function<int()> run;     // the exit status; throws UsageError, Interrupted, std::exception
+    Subcommand options;
+    std::function<int()> run;  // the exit status; throws UsageError, Interrupted, std::exception
 };
 
-Command play_command(CLI::App& program);
-Command render_command(CLI::App& program);
-Command record_command(CLI::App& program);
-Command simulate_command(CLI::App& program);
-Command check_command(CLI::App& program);
-Command verify_command(CLI::App& program);
-Command levels_command(CLI::App& program);
+Command play_command(CommandLine& program);
+Command render_command(CommandLine& program);
+Command record_command(CommandLine& program);
+Command simulate_command(CommandLine& program);
+Command check_command(CommandLine& program);
+Command verify_command(CommandLine& program);
+Command levels_command(CommandLine& program);
 
 }  // namespace app

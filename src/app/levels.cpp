@@ -40,9 +40,9 @@ int levels() {
 
 }  // namespace
 
-Command levels_command(CLI::App& program) {
-    CLI::App* const command = program.add_subcommand("levels", "The levels that ship: file, title and best time");
-    command->footer("Example: smb2d levels");
+Command levels_command(CommandLine& program) {
+    Subcommand command = program.add("levels", "The levels that ship: file, title and best time");
+    command.ends_help_with("Example: smb2d levels");
     return {command, [] { return levels(); }};
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,28 +12,22 @@
 namespace {
 
 using app::Command;
+using app::CommandLine;
 
-std::vector<Command> commands_of(CLI::App& program) {
+std::vector<Command> commands_of(CommandLine& program) {
     return {app::play_command(program),     app::render_command(program), app::record_command(program),
             app::simulate_command(program), app::check_command(program),  app::verify_command(program),
             app::levels_command(program)};
 }
 
-bool names_command(CLI::App const& program, std::string const& word) {
-    auto const subcommands = program.get_subcommands([](CLI::App const*) { return true; });
-    return std::any_of(subcommands.begin(), subcommands.end(),
-                       [&](CLI::App const* subcommand) { return subcommand->get_name() == word; });
-}
-
 // The subcommand to the front, `play` where none is named: options are free of order.
-std::vector<std::string> arranged(CLI::App const& program, std::vector<std::string> words) {
+std::vector<std::string> arranged(CommandLine const& program, std::vector<std::string> words) {
     if (words.empty()) return {"play"};
     std::string const& first = words.front();
-    if (first == "--help" || first == "-h" || first == "--version" || names_command(program, first)) return words;
+    if (first == "--help" || first == "-h" || first == "--version" || program.has(first)) return words;
     auto named = words.end();
     if (first.starts_with('-'))
-        named =
-            std::find_if(words.begin(), words.end(), [&](auto const& word) { return names_command(program, word); });
+        named = std::find_if(words.begin(), words.end(), [&](auto const& word) { return program.has(word); });
     else if (first.find_first_of("./") == std::string::npos && !std::filesystem::exists(first))
         throw app::UsageError("there is neither a subcommand nor a file \"" + first + "\"; see smb2d --help");
     if (named == words.end())
@@ -45,25 +38,17 @@ std::vector<std::string> arranged(CLI::App const& program, std::vector<std::stri
 }
 
 int run(std::vector<std::string> const& words) {
-    CLI::App program(
-        "Super Monkey Ball 2D: roll a ball with the mouse; render, record and simulate it without a display.", "smb2d");
-    program.footer("Without a subcommand: play. Example: smb2d assets/levels/01-sunny-hills.svg");
-    program.set_version_flag("--version", "smb2d " SMB2D_VERSION);
-    program.require_subcommand(0, 1);
+    app::CommandLine program(
+        "smb2d", SMB2D_VERSION,
+        "Super Monkey Ball 2D: roll a ball with the mouse; render, record and simulate it without a display.",
+        "Without a subcommand: play. Example: smb2d assets/levels/01-sunny-hills.svg");
     std::vector<Command> const commands = commands_of(program);
-    try {
-        std::vector<std::string> reversed = arranged(program, words);
-        std::reverse(reversed.begin(), reversed.end());
-        program.parse(reversed);
-    } catch (CLI::ParseError const& outcome) {
-        if (outcome.get_exit_code() != 0) throw app::UsageError(outcome.what());
-        std::ostringstream text;
-        program.exit(outcome, text, text);
-        app::write_to_stdout(text.str());
+    if (auto const text = program.read(arranged(program, words))) {
+        app::write_to_stdout(*text);
         return app::done;
     }
     auto const chosen = std::find_if(commands.begin(), commands.end(),
-                                     [](Command const& command) { return command.options->parsed(); });
+                                     [](Command const& command) { return command.options.is_chosen(); });
     return chosen->run();
 }
 

@@ -24,12 +24,11 @@ std::optional<long long> whole_number_in(std::string const& text) {
 
 }  // namespace
 
-void declare(CLI::App& command, MethodOptions& options) {
-    command.add_option("--method", options.method, "auto, article, steps or exact (default: the run's, else auto)")
-        ->type_name("NAME");
-    command.add_option("--rate", options.rate, "steps a second (default: the run's, else 240)")->type_name("HZ");
-    command.add_option("--tolerance", options.tolerance, "deepest error wanted; auto picks the cheapest that keeps it")
-        ->type_name("METRES");
+void declare(Subcommand& command, MethodOptions& options) {
+    command.takes("--method", options.method, "auto, article, steps or exact (default: the run's, else auto)", "NAME");
+    command.takes("--rate", options.rate, "steps a second (default: the run's, else 240)", "HZ");
+    command.takes("--tolerance", options.tolerance, "deepest error wanted; auto picks the cheapest that keeps it",
+                  "METRES");
 }
 
 game::MethodWish wish_from(MethodOptions const& options) {

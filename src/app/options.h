@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_line.h"
 #include "game/fraction.h"
 #include "game/method_choice.h"
 
@@ -14,7 +13,7 @@ namespace app {
 struct MethodOptions {
     std::optional<std::string> method, rate, tolerance;
 };
-void declare(CLI::App& command, MethodOptions& options);
+void declare(Subcommand& command, MethodOptions& options);
 game::MethodWish wish_from(MethodOptions const& options);
 
 // A decimal number or a fraction such as 1/24. `option` is named in the error.

@@ -101,15 +101,15 @@ int play(PlayOptions const& options) {
     return done;
 }
 
-Command play_command(CLI::App& program) {
-    CLI::App* const command = program.add_subcommand("play", "The window; without a file, the first level");
+Command play_command(CommandLine& program) {
+    Subcommand command = program.add("play", "The window; without a file, the first level");
     auto const options = std::make_shared<PlayOptions>();
-    command->add_option("file", options->file, "LEVEL or RUN");
-    declare(*command, options->method);
-    command->add_option("--renderer", options->renderer, "auto, gl or software")->capture_default_str();
-    command->add_option("-s,--size", options->size, "WIDTHxHEIGHT")->capture_default_str();
-    command->add_flag("--fullscreen", options->fullscreen, "fill the screen");
-    command->footer("Example: smb2d play assets/levels/01-sunny-hills.svg");
+    command.takes("file", options->file, "a level (.svg) or a run (.json)", "LEVEL|RUN");
+    declare(command, options->method);
+    command.takes("--renderer", options->renderer, "auto, gl or software (default: auto)", "NAME");
+    command.takes("-s,--size", options->size, "pixels (default: 1280x720)", "WxH");
+    command.takes_flag("--fullscreen", options->fullscreen, "fill the screen");
+    command.ends_help_with("Example: smb2d play assets/levels/01-sunny-hills.svg");
     return {command, [options] { return play(*options); }};
 }
 

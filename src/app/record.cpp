@@ -88,12 +88,12 @@ int record(SequenceOptions const& options) {
 
 }  // namespace
 
-Command record_command(CLI::App& program) {
+Command record_command(CommandLine& program) {
     auto const options = std::make_shared<SequenceOptions>();
-    CLI::App* const command = program.add_subcommand("record", "A video, no display needed");
-    declare(*command, *options);
-    command->add_option("-o,--output", options->output, "demo.mp4 or demo.mkv")->required()->type_name("FILE");
-    command->footer("Example: smb2d record assets/levels/01-sunny-hills.svg -o demo.mp4 --to 5");
+    Subcommand command = program.add("record", "A video, no display needed");
+    declare(command, *options);
+    command.needs("-o,--output", options->output, "demo.mp4 or demo.mkv", "FILE");
+    command.ends_help_with("Example: smb2d record assets/levels/01-sunny-hills.svg -o demo.mp4 --to 5");
     return {command, [options] { return record(*options); }};
 }
 

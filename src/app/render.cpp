@@ -107,16 +107,13 @@ int render(RenderOptions const& options) {
 
 }  // namespace
 
-Command render_command(CLI::App& program) {
+Command render_command(CommandLine& program) {
     auto const options = std::make_shared<RenderOptions>();
-    CLI::App* const command = program.add_subcommand("render", "A sequence of pictures (PNG), no display needed");
-    declare(*command, options->sequence);
-    command->add_option("-o,--output", options->sequence.output, "frames/%05d.png, or - for raw RGB24 on stdout")
-        ->required()
-        ->type_name("PATTERN");
-    command->add_option("--start-number", options->start_number, "the first file's number (default: 0)")
-        ->type_name("N");
-    command->footer("Example: smb2d render assets/levels/01-sunny-hills.svg -o frames/%05d.png --to 5");
+    Subcommand command = program.add("render", "A sequence of pictures (PNG), no display needed");
+    declare(command, options->sequence);
+    command.needs("-o,--output", options->sequence.output, "frames/%05d.png, or - for raw RGB24 on stdout", "PATTERN");
+    command.takes("--start-number", options->start_number, "the first file's number (default: 0)", "N");
+    command.ends_help_with("Example: smb2d render assets/levels/01-sunny-hills.svg -o frames/%05d.png --to 5");
     return {command, [options] { return render(*options); }};
 }
 

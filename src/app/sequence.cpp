@@ -50,17 +50,17 @@ FrameOrder order_for(Sequence& sequence, long long frame) {
 
 }  // namespace
 
-void declare(CLI::App& command, SequenceOptions& options) {
-    command.add_option("file", options.file, "a level (.svg) or a run (.json)")->required()->type_name("LEVEL|RUN");
+void declare(Subcommand& command, SequenceOptions& options) {
+    command.needs("file", options.file, "a level (.svg) or a run (.json)", "LEVEL|RUN");
     declare(command, options.method);
-    command.add_option("-r,--fps", options.rate, "frames a second (default: 60)")->type_name("F");
-    command.add_option("-s,--size", options.size, "pixels (default: 1280x720)")->type_name("WxH");
-    command.add_option("--from", options.from, "the first frame's time (default: 0)")->type_name("S");
-    command.add_option("--to", options.to, "the end (default: the run's duration, else 10)")->type_name("S");
-    command.add_option("--overlay", options.overlay, "figures, forces, energy, with commas, or all")->type_name("LIST");
-    command.add_option("--jobs", options.jobs, "threads that paint (default: one a core)")->type_name("N");
-    command.add_flag("--overwrite", options.overwrite, "replace files that are there already");
-    command.add_flag("-q,--quiet", options.quiet, "neither progress nor notes");
+    command.takes("-r,--fps", options.rate, "frames a second (default: 60)", "F");
+    command.takes("-s,--size", options.size, "pixels (default: 1280x720)", "WxH");
+    command.takes("--from", options.from, "the first frame's time (default: 0)", "S");
+    command.takes("--to", options.to, "the end (default: the run's duration, else 10)", "S");
+    command.takes("--overlay", options.overlay, "figures, forces, energy, with commas, or all", "LIST");
+    command.takes("--jobs", options.jobs, "threads that paint (default: one a core)", "N");
+    command.takes_flag("--overwrite", options.overwrite, "replace files that are there already");
+    command.takes_flag("-q,--quiet", options.quiet, "neither progress nor notes");
 }
 
 Sequence sequence_for(SequenceOptions const& options) {

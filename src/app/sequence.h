@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_line.h"
 #include "app/opening.h"
 #include "app/options.h"
 #include "screen/pixels.h"
@@ -25,7 +24,7 @@ struct SequenceOptions {
     bool overwrite = false;
     bool quiet = false;
 };
-void declare(CLI::App& command, SequenceOptions& options);
+void declare(Subcommand& command, SequenceOptions& options);
 
 // What the options mean for one level or run.
 struct Sequence {

@@ -89,17 +89,16 @@ int simulate(SimulateOptions const& options) {
 
 }  // namespace
 
-Command simulate_command(CLI::App& program) {
+Command simulate_command(CommandLine& program) {
     auto const options = std::make_shared<SimulateOptions>();
-    CLI::App* const command = program.add_subcommand("simulate", "Numbers on standard output, no picture, no display");
-    command->add_option("file", options->file, "a level (.svg) or a run (.json)")->required()->type_name("LEVEL|RUN");
-    declare(*command, options->method);
-    command->add_option("--to", options->to, "until this time (default: the run's duration, else 10)")->type_name("S");
-    command->add_option("--every", options->every, "a row every so often, such as 0.01 or 1/24 (default: 1/60)")
-        ->type_name("S");
-    command->add_flag("--events", options->events, "a row for every event in place of a row every so often");
-    command->add_option("--format", options->format, "csv or json (default: csv)")->type_name("NAME");
-    command->footer("Example: smb2d simulate assets/lab/ramp.svg --to 2 --every 1/24");
+    Subcommand command = program.add("simulate", "Numbers on standard output, no picture, no display");
+    command.needs("file", options->file, "a level (.svg) or a run (.json)", "LEVEL|RUN");
+    declare(command, options->method);
+    command.takes("--to", options->to, "until this time (default: the run's duration, else 10)", "S");
+    command.takes("--every", options->every, "a row every so often, such as 0.01 or 1/24 (default: 1/60)", "S");
+    command.takes_flag("--events", options->events, "a row for every event in place of a row every so often");
+    command.takes("--format", options->format, "csv or json (default: csv)", "NAME");
+    command.ends_help_with("Example: smb2d simulate assets/lab/ramp.svg --to 2 --every 1/24");
     return {command, [options] { return simulate(*options); }};
 }
 

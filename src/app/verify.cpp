@@ -74,12 +74,12 @@ int verify(VerifyOptions const& options) {
 
 }  // namespace
 
-Command verify_command(CLI::App& program) {
+Command verify_command(CommandLine& program) {
     auto const options = std::make_shared<VerifyOptions>();
-    CLI::App* const command = program.add_subcommand("verify", "Simulate runs again and compare with what they claim");
-    command->add_option("files", options->files, "runs (.json)")->required()->type_name("RUN");
-    declare(*command, options->method);
-    command->footer("Ends with 3 when a run differs. Example: smb2d verify assets/runs/*.json");
+    Subcommand command = program.add("verify", "Simulate runs again and compare with what they claim");
+    command.needs("files", options->files, "runs (.json)", "RUN");
+    declare(command, options->method);
+    command.ends_help_with("Ends with 3 when a run differs. Example: smb2d verify assets/runs/*.json");
     return {command, [options] { return verify(*options); }};
 }
 
