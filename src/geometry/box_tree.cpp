@@ -64,12 +64,16 @@ BoxTree::Bound BoxTree::leaning(Bound const& bound, std::span<Leaf const> leaves
     return {bound.box, down, extent_of(leaves, curves, down), across_down};
 }
 
-// Halves the entries at the median of the longer axis; ties are broken by index, so the tree is always the same.
+// Halves the entries at the median of the longer axis, equals by index, and leaves them in order of index: which
+// entries a node holds and how they follow each other hangs on the boxes alone.
 void BoxTree::split(int node, int first, int last) {
     Box whole;
     for (int i = first; i < last; ++i) whole = united(whole, leaves_[i].bound.box);
     nodes_[node].bound.box = whole;
     if (last - first <= leaf_size) {
+        // Standard libraries leave the two sides of a median in orders of their own.
+        std::sort(leaves_.begin() + first, leaves_.begin() + last,
+                  [](Leaf const& a, Leaf const& b) { return a.index < b.index; });
         nodes_[node].first = first;
         nodes_[node].count = last - first;
         return;
