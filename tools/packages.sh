@@ -7,7 +7,7 @@ packages_to_play=(
 )
 packages_to_test=(
     "${packages_to_play[@]}"
-    doctest-dev libbenchmark-dev clang python3 xvfb xdotool x11-utils imagemagick libgl1-mesa-dri
+    doctest-dev libbenchmark-dev clang libclang-rt-dev libc++-dev libc++abi-dev python3 xvfb xdotool x11-utils imagemagick libgl1-mesa-dri
 )
 packages_to_bench=(
     "${packages_to_play[@]}"

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <clocale>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
+#include <version>
 
 #include "level/faults.h"
 
@@ -18,6 +21,9 @@ bool is_space(char c) { return spaces.find(c) != std::string_view::npos; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+// Of a number without a sign; too large for a double is infinity, too small 0. Both ways round correctly, so that they
+// come to the same bits.
+#ifdef __cpp_lib_to_chars
 // from_chars says "out of range" for the too small as well as the too large, and leaves the value alone.
 double out_of_range(std::string_view number) {
     std::size_t const exponent = number.find_first_of("eE");
@@ -26,21 +32,46 @@ double out_of_range(std::string_view number) {
     return small ? 0 : std::numeric_limits<double>::infinity();
 }
 
+double value_of(std::string_view number) {
+    double value = 0;
+    auto const error = std::from_chars(number.data(), number.data() + number.size(), value).ec;
+    return error == std::errc::result_out_of_range ? out_of_range(number) : value;
+}
+#else  // libc++ 14
+double value_of(std::string_view number) {
+    static locale_t const plain = newlocale(LC_ALL_MASK, "C", nullptr);
+    return strtod_l(std::string(number).c_str(), nullptr, plain);
+}
+#endif
+
 struct Prefix {
     double value = 0;
     std::size_t length = 0;  // 0: no number
 };
 
+std::size_t digits_at(std::string_view text, std::size_t at) {
+    std::size_t count = 0;
+    while (at + count < text.size() && is_digit(text[at + count])) ++count;
+    return count;
+}
+
 Prefix number_at_start(std::string_view text) {
     std::size_t const sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
-    std::size_t const point = text.substr(sign, 1) == "." ? 1 : 0;
-    if (sign + point >= text.size() || !is_digit(text[sign + point])) return {};
-    double value = 0;
-    char const* const first = text.data() + sign;
-    auto const [end, error] = std::from_chars(first, text.data() + text.size(), value);
-    std::size_t const length = end - text.data();
-    if (error == std::errc::result_out_of_range) value = out_of_range(text.substr(sign, length - sign));
-    return {text[0] == '-' ? -value : value, length};
+    std::size_t end = sign + digits_at(text, sign);
+    std::size_t digits = end - sign;
+    if (text.substr(end, 1) == ".") {
+        std::size_t const decimals = digits_at(text, end + 1);
+        digits += decimals;
+        end += 1 + decimals;
+    }
+    if (digits == 0) return {};
+    if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+        std::size_t const power_sign = end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-') ? 1 : 0;
+        std::size_t const power = digits_at(text, end + 1 + power_sign);
+        if (power > 0) end += 1 + power_sign + power;
+    }
+    double const value = value_of(text.substr(sign, end - sign));
+    return {text[0] == '-' ? -value : value, end};
 }
 
 }  // namespace

@@ -10,8 +10,6 @@ namespace {
 constexpr int samples = 48;
 constexpr double settling = 0.15;      // s: the mean of the path has an age of about twice this
 constexpr double furthest_lag = 0.22;  // of the picture: how far from its middle the ball may run ahead
-constexpr double furthest_off =
-    0.42;  // of the picture: the ball stays in sight where the level's edge holds the camera
 
 // Without a doubling of the view's size beyond the level the ball has fallen out and is no longer followed.
 Vec2 followed(level::Level const& level, physics::History const& history, double time) {
