@@ -120,6 +120,8 @@ def compare_compilers(program):
 
 
 def compare_with_golden(program):
+    if not GOLDEN.exists():
+        sys.exit("there is no golden.txt: tools/golden writes it")
     wrong = differences(GOLDEN.read_text().splitlines(), printed_by(program), "golden.txt")
     if wrong:
         print("Bits have changed. If that is meant, run tools/golden, and say in the commit what changes them and why.")
