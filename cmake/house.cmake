@@ -26,8 +26,9 @@ target_compile_definitions(house INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
 target_compile_options(house INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wpedantic)
 # SDL wants it wherever it is included; precompiled headers are for those that define the same.
 target_compile_definitions(house INTERFACE _REENTRANT)
-# g++ 12 warns of strings and variants that it has itself copied wrongly while inlining (its bugs 105329 and 105562).
-target_compile_options(house INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)
+# g++ 12 warns of strings and variants that it has itself copied wrongly while inlining (its bugs 105329, 105562, 105651).
+target_compile_options(house INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized
+    -Wno-array-bounds -Wno-stringop-overflow>)
 # Vectorising, g++ 12 makes a fused multiply-add of a product added and subtracted (a rotation), whatever -ffp-contract is.
 target_compile_options(house INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize -fno-tree-slp-vectorize>)
 if(SMB2D_STRICT)

@@ -40,13 +40,18 @@ public:
     }
 
 private:
-    void add(Need need, std::string why) { reasons_.push_back({need, std::move(why), -1}); }
+    void add(Need need, std::string const& why, int surface = -1) {
+        Reason& reason = reasons_.emplace_back();
+        reason.need = need;
+        reason.why = why;
+        reason.surface = surface;
+    }
 
     template <typename Test>
     void of_piece(Need need, char const* what, Test&& test) {
         int const piece = first_piece(scene_, test);
         if (piece < 0) return;
-        reasons_.push_back({need, what, scene_.terrain.pieces[piece].surface});
+        add(need, what, scene_.terrain.pieces[piece].surface);
     }
 
     Scene const& scene_;
