@@ -11,13 +11,13 @@ namespace {
 // The only state that a signal handler may touch.
 volatile std::sig_atomic_t interrupted = 0;
 
-void note(int) { interrupted = 1; }
+void note_interrupt(int) { interrupted = 1; }
 
 }  // namespace
 
 void watch_for_interrupts() {
     struct sigaction action {};
-    action.sa_handler = note;
+    action.sa_handler = note_interrupt;
     // No SA_RESTART: a write to a pipe that nobody reads must not outlast Ctrl-C.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);

@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 // How long Ctrl-C may go unheard while waiting.
-constexpr auto patience = std::chrono::milliseconds(50);
+constexpr auto idle_wait = std::chrono::milliseconds(50);
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void Workshop::rethrow() {
 void Workshop::take(FrameOrder order) {
     std::unique_lock lock(mutex_);
     rethrow();
-    while (!changed_.wait_for(lock, patience, [this] { return failure_ || orders_.size() < room_; })) rethrow();
+    while (!changed_.wait_for(lock, idle_wait, [this] { return failure_ || orders_.size() < room_; })) rethrow();
     rethrow();
     orders_.push_back(std::move(order));
     lock.unlock();
@@ -70,7 +70,7 @@ void Workshop::close() {
 
 void Workshop::wait_a_little() {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience);
+    changed_.wait_for(lock, idle_wait);
     rethrow();
 }
 

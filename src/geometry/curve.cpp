@@ -121,6 +121,11 @@ Curve reversed(Curve const& curve) {
                       curve);
 }
 
+bool is_whole_circle(Curve const& curve) {
+    auto const* arc = std::get_if<Arc>(&curve);
+    return arc != nullptr && is_whole(*arc);
+}
+
 bool spans(Arc const& arc, double angle) {
     double const beyond = beyond_start(arc, angle);
     return beyond <= std::abs(arc.sweep) + angle_rounding || beyond >= 2 * pi - angle_rounding;

@@ -32,6 +32,9 @@ Vec2 tangent_at_end(Curve const& curve);
 // The same points, travelled the other way.
 Curve reversed(Curve const& curve);
 
+// Whether the curve is an arc that goes all the way round.
+bool is_whole_circle(Curve const& curve);
+
 // Whether `angle` lies within the arc's sweep, the ends included.
 bool spans(Arc const& arc, double angle);
 

@@ -11,10 +11,10 @@ namespace geometry {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double end_of_time = 1e300;    // s, stands for "after everything has settled"
-constexpr double extremum_share = 1e-9;  // of t: the gap at an extremum errs by its square
-constexpr double event_share = 2.5e-16;  // of t
+constexpr double swing_extremum_share = 1e-9;  // of t: the gap at an extremum errs by its square
+constexpr double swing_event_share = 2.5e-16;  // of t
 constexpr int most_turns = 100000;       // then the search gives up and says how far it came
 
 // y' is an oscillation of the same oscillator.
@@ -41,7 +41,7 @@ public:
 
     double next_after(double t) const {
         if (t < first_) return first_;
-        if (spacing_ == infinity) return infinity;
+        if (spacing_ == never) return never;
         double const count = std::floor((t - first_) / spacing_);
         // By multiplication, as the zero at t itself may have been found; rounding may put it on either side of the
         // floor.
@@ -52,8 +52,8 @@ public:
     double spacing() const { return spacing_; }
 
 private:
-    double first_ = infinity;
-    double spacing_ = infinity;
+    double first_ = never;
+    double spacing_ = never;
 };
 
 class Gap {
@@ -84,7 +84,7 @@ public:
     double open_until(double t) const {
         double const margin = c0_ + c1_ * t - swing_ * decayed(t);
         if (!(margin > 0)) return t;
-        return c1_ < 0 ? t - margin / c1_ : infinity;
+        return c1_ < 0 ? t - margin / c1_ : never;
     }
 
     // Whether the line is steeper than the oscillation will ever be again.
@@ -110,14 +110,14 @@ private:
     double c1_;
     Oscillator oscillator_;
     Swing start_;
-    double swing_ = infinity;       // m, envelope of y at t = 0; infinite where y does not oscillate
-    double swing_rate_ = infinity;  // m/s, envelope of y'
+    double swing_ = never;       // m, envelope of y at t = 0; infinite where y does not oscillate
+    double swing_rate_ = never;  // m/s, envelope of y'
 };
 
-// A time after `from` at which `state_at` has the sign it keeps for ever, or infinity if that is `sign` or zero.
+// A time after `from` at which `state_at` has the sign it keeps for ever, or never if that is `sign` or zero.
 template <typename ValueAt>
 double change_after(ValueAt const& value_at, double from, int sign) {
-    if (sign_of(value_at(end_of_time)) != -sign) return infinity;
+    if (sign_of(value_at(end_of_time)) != -sign) return never;
     double t = from > 0 ? 2 * from : 1.0;
     while (t < end_of_time && sign_of(value_at(t)) != -sign) t *= 4;
     return t;
@@ -131,16 +131,16 @@ public:
         if (!gap.is_level()) return;
         // At an extremum the sign of the rate is rounding; half way to the next one it is not.
         double const next = bends_.next_after(from);
-        if (next < infinity && next > from) direction_ = sign_of(gap.at(from + (next - from) / 2).rate);
+        if (next < never && next > from) direction_ = sign_of(gap.at(from + (next - from) / 2).rate);
     }
 
     int direction() const { return direction_; }
     double spacing() const { return bends_.spacing(); }
 
-    // The next extremum before `until`, or infinity.
+    // The next extremum before `until`, or never.
     double next(double until) {
         double const turn = gap_->is_level() ? bends_.next_after(from_) : next_between_bends(until);
-        if (!(turn < until)) return infinity;
+        if (!(turn < until)) return never;
         if (gap_->is_level()) from_ = turn;
         direction_ = -direction_;
         return turn;
@@ -155,16 +155,16 @@ private:
 
     double next_between_bends(double until) {
         while (from_ < until) {
-            if (gap_->is_straight_after(from_)) return infinity;
+            if (gap_->is_straight_after(from_)) return never;
             double bend = std::min(bends_.next_after(from_), until);
             auto const rate_at = [this](double t) { return gap_->at(t).rate; };
-            if (bend == infinity) bend = change_after(rate_at, from_, direction_);
-            if (bend == infinity) return infinity;
+            if (bend == never) bend = change_after(rate_at, from_, direction_);
+            if (bend == never) return never;
             Bracket const bracket{from_, bend, rate_at(from_), rate_at(bend), direction_};
             from_ = bend;
             if (sign_of(bracket.high_value) == -direction_) return turn_in(bracket);
         }
-        return infinity;
+        return never;
     }
 
     double turn_in(Bracket const& bracket) const {
@@ -172,7 +172,7 @@ private:
             Gap::State const state = gap_->at(t);
             return Slope{state.rate, state.bend};
         };
-        return root_in(slope_at, bracket, extremum_share);
+        return root_in(slope_at, bracket, swing_extremum_share);
     }
 
     Gap const* gap_;
@@ -186,7 +186,7 @@ double fall_in(Gap const& gap, Bracket const& bracket) {
         Gap::State const state = gap.at(t);
         return Slope{std::abs(state.value) <= state.noise ? 0 : state.value, state.rate};
     };
-    return root_in(slope_at, bracket, event_share);
+    return root_in(slope_at, bracket, swing_event_share);
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ SwingSearch first_swing_fall(double c0, double c1, Oscillator const& oscillator,
     double value = c0 + start.displacement;
     for (int turn = 0; turn < most_turns; ++turn) {
         if (turns.direction() < 0 && !(value > 0)) return {t, t};
-        if (double const open = gap.open_until(t); open > t + turns.spacing() || open == infinity) {
+        if (double const open = gap.open_until(t); open > t + turns.spacing() || open == never) {
             if (!(open < until)) return {std::nullopt, until};
             turns = Turns(gap, open);
             t = open;
@@ -210,14 +210,14 @@ SwingSearch first_swing_fall(double c0, double c1, Oscillator const& oscillator,
         bool const closing = turns.direction() < 0;
         double const extremum = turns.next(until);
         double high = std::min(extremum, until);
-        if (high == infinity && closing) high = change_after(value_at, t, 1);
-        if (high == infinity) return {std::nullopt, until};
+        if (high == never && closing) high = change_after(value_at, t, 1);
+        if (high == never) return {std::nullopt, until};
         double const high_value = value_at(high);
         if (closing && high_value < 0) {
             double const fall = fall_in(gap, {t, high, value, high_value, 1});
             return {fall, fall};
         }
-        if (extremum == infinity || (gap.repeats() && turn > 2)) return {std::nullopt, until};
+        if (extremum == never || (gap.repeats() && turn > 2)) return {std::nullopt, until};
         t = high;
         value = high_value;
     }

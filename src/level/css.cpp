@@ -11,7 +11,7 @@ namespace level {
 
 namespace {
 
-constexpr auto nowhere = std::string_view::npos;
+constexpr auto not_found = std::string_view::npos;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
 
@@ -28,7 +28,7 @@ std::size_t find_outside(std::string_view css, std::string_view marks, std::size
     int depth = 0;
     for (; at < css.size(); ++at) {
         char const c = css[at];
-        if (depth == 0 && marks.find(c) != nowhere) return at;
+        if (depth == 0 && marks.find(c) != not_found) return at;
         if (c == '\\') ++at;
         if (c == '"' || c == '\'') at = end_of_string(css, at);
         if (c == '(' || c == '[' || c == '{') ++depth;
@@ -61,7 +61,7 @@ bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
-bool has_comment(std::string_view css) { return css.find("/*") != nowhere; }
+bool has_comment(std::string_view css) { return css.find("/*") != not_found; }
 
 std::string without_comments(std::string_view css) {
     std::string text;
@@ -69,7 +69,7 @@ std::string without_comments(std::string_view css) {
         if (css.substr(at, 2) == "/*") {
             std::size_t const end = css.find("*/", at + 2);
             text += ' ';
-            at = end == nowhere ? css.size() : end + 2;
+            at = end == not_found ? css.size() : end + 2;
             continue;
         }
         std::size_t const end = css[at] == '"' || css[at] == '\'' ? end_of_string(css, at) + 1 : at + 1;
@@ -86,7 +86,7 @@ std::vector<Declaration> declarations_in(std::string_view css) {
         std::string_view const text = css.substr(at, end - at);
         at = end + 1;
         std::size_t const colon = text.find(':');
-        if (colon == nowhere) continue;
+        if (colon == not_found) continue;
         std::string_view value = trimmed(text.substr(colon + 1));
         std::size_t const mark = find_outside(value, "!", 0);
         bool const important = mark < value.size() && same_word(trimmed(value.substr(mark + 1)), "important");

@@ -29,7 +29,7 @@ private:
         char const command = cursor_.next();
         constexpr std::string_view known = "MmLlHhVvAaCcSsQqTtZz";
         if (known.find(command) == std::string_view::npos)
-            throw Broken("unknown command " + quoted(std::string(1, command)));
+            throw Broken("unknown command " + level::quoted(std::string(1, command)));
         if (!begun_ && command != 'M' && command != 'm')
             throw Broken("must begin with M, got " + std::string(1, command));
         relative_ = command >= 'a';
@@ -51,7 +51,7 @@ private:
         cursor_.skip_spaces();
         if (cursor_.peek() == ',') {
             cursor_.skip_separator();
-            if (!cursor_.begins_number()) throw Broken("a number was expected, got " + quoted(cursor_.rest()));
+            if (!cursor_.begins_number()) throw Broken("a number was expected, got " + level::quoted(cursor_.rest()));
         }
         return cursor_.begins_number();
     }
@@ -142,7 +142,7 @@ private:
     bool flag() {
         separate();
         char const c = cursor_.peek();
-        if (c != '0' && c != '1') throw Broken("a flag of an arc must be 0 or 1, got " + quoted(cursor_.rest()));
+        if (c != '0' && c != '1') throw Broken("a flag of an arc must be 0 or 1, got " + level::quoted(cursor_.rest()));
         cursor_.next();
         return c == '1';
     }

@@ -19,7 +19,7 @@ namespace {
 // Ground higher than this above the line of the clearing is in the way, and lower than minus this is not part of it.
 constexpr double flat = 1e-12;  // m
 // Speeds below this share of all are rounding.
-constexpr double rounding_share = 1e-12;
+constexpr double clearing_rounding = 1e-12;
 // Joints that turn by less than this are none: a clearing has one normal. rad
 constexpr double straight = 1e-15;
 // A ball that comes down nearer than this to the end of a piece may touch something else as well. Radii.
@@ -131,7 +131,7 @@ std::optional<Hop> next_hop(Clearing const& clearing, Terrain const& terrain, Ba
     ContactSpeeds const after = after_impact(before, material.restitution, material.friction, ball.inertia);
     double const pressing = -dot(flight.acceleration, normal);
     double const rounding =
-        rounding_share * (std::abs(before.normal) + std::abs(before.tangent) + std::abs(before.rim));
+        clearing_rounding * (std::abs(before.normal) + std::abs(before.tangent) + std::abs(before.rim));
     if (!(before.normal < -rounding && after.normal > rounding)) return std::nullopt;
     if (!(after.normal * after.normal >= 2 * pressing * lowest_hop_of_sums * ball.radius)) return std::nullopt;
     state.velocity = after.normal * normal + after.tangent * clearing.track.along;

@@ -12,11 +12,10 @@ namespace physics {
 
 namespace {
 
-constexpr int order = series_order;
 // The last coefficients' terms at the end of a stride, against the motion's own size: below rounding.
 constexpr double truncation = 1e-17;
 // A rate of slip below this share of the acceleration is rounding.
-constexpr double onset_rounding = 1e-12;
+constexpr double circle_onset_rounding = 1e-12;
 
 // The motion about the rider's present place, coefficients by power of the time.
 struct Expansion {
@@ -29,9 +28,9 @@ struct Expansion {
 };
 
 // Divisions are what an expansion would wait for most.
-constexpr std::array<double, order + 2> reciprocal = [] {
-    std::array<double, order + 2> all{};
-    for (int n = 1; n < order + 2; ++n) all[n] = 1.0 / n;
+constexpr std::array<double, series_order + 2> reciprocal = [] {
+    std::array<double, series_order + 2> all{};
+    for (int n = 1; n < series_order + 2; ++n) all[n] = 1.0 / n;
     return all;
 }();
 
@@ -68,12 +67,12 @@ Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& la
     x.rim[0] = rider.rim;
     Series rate{};  // of phi
     double const curvature = 1 / track.rho;
-    for (int n = 0; n <= order; ++n) {
+    for (int n = 0; n <= series_order; ++n) {
         double const outward = constant.x() * x.cosine[n] + constant.y() * x.sine[n] - (n == 0 ? radial : 0);
         x.force[n] = -s * (square_term(x.speed, n) * curvature + outward);
         x.tangent[n] =
             s * (constant.x() * x.sine[n] - constant.y() * x.cosine[n]) - 2 * field.spring.decay * x.speed[n];
-        if (n == order) break;
+        if (n == series_order) break;
         double const share = reciprocal[n + 1];
         x.speed[n + 1] = (law.alpha * x.tangent[n] + law.beta * x.force[n]) * share;
         x.rim[n + 1] = law.phase == Phase::slide ? law.gamma * x.force[n] * share : x.speed[n + 1];
@@ -90,19 +89,19 @@ Expansion expansion_of(Setting const& setting, Rider const& rider, Law const& la
 // The longest stride at which the terms left out do not show.
 double stride_of(Expansion const& x, double rho) {
     double const size = truncation * (1 + std::abs(x.phi[1]));
-    double const last = std::abs(x.speed[order]) / rho, before = std::abs(x.speed[order - 1]) / rho;
-    return longest_stride<order>(last, before, size);
+    double const last = std::abs(x.speed[series_order]) / rho, before = std::abs(x.speed[series_order - 1]) / rho;
+    return longest_stride<series_order>(last, before, size);
 }
 
 Series combined(double a, Series const& x, double b, Series const& y) {
     Series sum;
-    for (int i = 0; i <= order; ++i) sum[i] = a * x[i] + b * y[i];
+    for (int i = 0; i <= series_order; ++i) sum[i] = a * x[i] + b * y[i];
     return sum;
 }
 
 Series distance_to(Series const& way, double limit, double direction) {
     Series gap;
-    for (int i = 0; i <= order; ++i) gap[i] = -direction * way[i];
+    for (int i = 0; i <= series_order; ++i) gap[i] = -direction * way[i];
     gap[0] = std::max(0.0, limit);
     return gap;
 }
@@ -113,14 +112,14 @@ Series slip_series(Rider const& rider, Law const& law, Expansion const& x) {
     Series slip = combined(law.sign, x.speed, -law.sign, x.rim);
     if (rider.slip() != 0) return slip;
     slip[0] = 0;
-    if (std::abs(slip[1]) <= onset_rounding * std::abs(x.tangent[0])) slip[1] = 0;
+    if (std::abs(slip[1]) <= circle_onset_rounding * std::abs(x.tangent[0])) slip[1] = 0;
     return slip;
 }
 
 Series angle_series(Setting const& setting, Rider const& rider, Law const& law, Expansion const& x) {
     Series angle{};
     angle[0] = rider.angle;
-    for (int i = 1; i <= order; ++i)
+    for (int i = 1; i <= series_order; ++i)
         angle[i] = (law.phase == Phase::slide ? -x.rim[i - 1] / i : -x.way[i]) / setting.ball.radius;
     return angle;
 }

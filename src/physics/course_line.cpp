@@ -15,7 +15,7 @@ using geometry::Swing;
 namespace {
 
 // A slip this small, against the speeds of the swing, is rounding.
-constexpr double onset_rounding = 1e-14;
+constexpr double line_onset_rounding = 1e-14;
 // Under a pull the field does not stay the same for longer, and the bounces that are left are let go. s
 constexpr double longest_sum = 1e-4;
 
@@ -52,7 +52,7 @@ public:
         // From q'' + 2 decay q' + stiffness (q - equilibrium) = 0 at the beginning.
         // Where grip has just been lost the slip grows from nothing; rounding must not end it at once.
         if (rider.slip() == 0)
-            onset_ = onset_rounding * (std::abs(rider.speed) + std::abs(acceleration_) / std::sqrt(spring_.stiffness));
+            onset_ = line_onset_rounding * (std::abs(rider.speed) + std::abs(acceleration_) / std::sqrt(spring_.stiffness));
         way_ = -(acceleration_ + 2 * spring_.decay * rider.speed) / spring_.stiffness;
     }
 

@@ -13,7 +13,7 @@ using geometry::dot;
 
 namespace {
 
-constexpr int most_rounds = 100;
+constexpr int creep_rounds = 100;
 constexpr double shortest_creep = 1e-7;  // s
 constexpr double longest_creep = 1e-3;   // s
 // Components below this share of the vector are rounding.
@@ -21,12 +21,12 @@ constexpr double still_closing = 1e-12;
 // A pull that supports leave over of the field, below this share of it, is none, nor are these speeds.
 constexpr double balanced = 1e-9;
 constexpr double least_slip = 1e-9;   // m/s
-constexpr double grip_share = 1e-9;
+constexpr double creep_grip = 1e-9;
 
 // What is left of a velocity or an acceleration where no support lets it in; nothing where they leave no way.
 Vec2 let_through(std::vector<Support> const& supports, Vec2 vector) {
     double const rounding = still_closing * geometry::length(vector);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < creep_rounds; ++round) {
         Support const* worst = nullptr;
         for (Support const& s : supports)
             if (dot(vector, s.normal) < (worst ? dot(vector, worst->normal) : -rounding)) worst = &s;
@@ -49,7 +49,7 @@ std::optional<Turnout> on_one(Setting const& setting, Support const& support, St
     if (!is_pressed(setting, rider)) return std::nullopt;
     Law law;
     law.alpha = 1 / (1 + setting.ball.inertia);
-    bool const slips = std::abs(rider.slip()) > grip_share * (std::abs(rider.speed) + std::abs(rider.rim)) + least_slip;
+    bool const slips = std::abs(rider.slip()) > creep_grip * (std::abs(rider.speed) + std::abs(rider.rim)) + least_slip;
     if (slips)
         law = law_for(setting, rider, Onset::none);
     else

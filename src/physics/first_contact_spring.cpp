@@ -13,7 +13,7 @@ namespace {
 constexpr int order = (geometry::most_coefficients - 1) / 2;
 // The last term at the end of a window: what is left out is far below it. m, and as a share of the path's own size, of
 // which no more is known
-constexpr double truncation = 1e-13;
+constexpr double window_truncation = 1e-13;
 constexpr double truncation_share = 1e-16;
 
 struct SwingPath {
@@ -32,7 +32,7 @@ struct SwingPath {
     }
 
     double window() const {
-        double const size = truncation + truncation_share * (geometry::length(terms[0]) + reach);
+        double const size = window_truncation + truncation_share * (geometry::length(terms[0]) + reach);
         return longest_stride<order>(geometry::length(terms[order]), geometry::length(terms[order - 1]), size);
     }
     // How far the path may lie from its chord within t.

@@ -16,7 +16,7 @@ using geometry::dot;
 namespace {
 
 // Speeds along a normal below this share of the ball's speeds are rounding.
-constexpr double rounding_share = 1e-12;
+constexpr double resolve_rounding = 1e-12;
 // Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series.
 constexpr int most_blows = 200;
 // Normals nearer than this to parallel leave a ball free to move along both surfaces.
@@ -170,10 +170,10 @@ Turnout ride_from(Setting const& setting, Rider const& free_rider, double time) 
 }
 
 // The normal forces with which two supports hold a standing ball whose rim slides with `slip_sign` (0: it does not).
-struct Hold {
+struct TwoSupports {
     double first = 0, second = 0;
 };
-Hold hold_of(Setting const& setting, State const& state, Support const& a, Support const& b, double slip_sign) {
+TwoSupports hold_of(Setting const& setting, State const& state, Support const& a, Support const& b, double slip_sign) {
     auto const push = [&](Support const& s) {
         double const friction =
             slip_sign == 0 ? 0 : material_of(setting.terrain, s.contact.feature).friction * slip_sign;
@@ -185,7 +185,7 @@ Hold hold_of(Setting const& setting, State const& state, Support const& a, Suppo
 }
 
 // Neither support would have to pull: a force that is rounding is none.
-bool holds(Setting const& setting, State const& state, Hold const& hold) {
+bool holds(Setting const& setting, State const& state, TwoSupports const& hold) {
     double const least = -hold_rounding * geometry::length(acceleration_in(setting.field, state.position, Vec2::Zero()));
     return hold.first >= least && hold.second >= least;
 }
@@ -208,7 +208,7 @@ std::optional<Turnout> wedged(Setting const& setting, Struck const& struck, std:
             state.velocity = Vec2::Zero();
             bool const grips_fully = std::isinf(mu_a) || std::isinf(mu_b);
             if (grips_fully || !spins) state.spin = 0;
-            Hold const hold = hold_of(setting, state, a, b, grips_fully ? 0 : slip_sign);
+            TwoSupports const hold = hold_of(setting, state, a, b, grips_fully ? 0 : slip_sign);
             if (!holds(setting, state, hold)) continue;
             double const rim_rate =
                 grips_fully ? 0 : slip_sign * (mu_a * hold.first + mu_b * hold.second) / setting.ball.inertia;
@@ -369,7 +369,7 @@ void choose_supports(Setting const& setting, Struck& struck) {
 
 Struck struck_at(Setting const& setting, State const& state, Contact known) {
     double const pull = geometry::length(acceleration_in(setting.field, state.position, state.velocity));
-    double const rounding = rounding_share * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin) +
+    double const rounding = resolve_rounding * (geometry::length(state.velocity) + setting.ball.radius * std::abs(state.spin) +
                                               std::sqrt(pull * setting.ball.radius));
     double const still = still_speed(state.position, setting.ball.radius, geometry::length(state.velocity), pull);
     Struck struck{state, contacts_at(setting.terrain, state.position, setting.ball.radius),

@@ -12,7 +12,7 @@ using geometry::dot;
 namespace {
 
 // Slip below this share of the speeds is rounding: the ball grips.
-constexpr double grip_share = 1e-12;
+constexpr double ride_grip = 1e-12;
 
 // A closed circle is run round more than once: q goes on counting.
 double coordinate_of(Track const& track, Leg const& leg, State const& state, double span) {
@@ -88,7 +88,7 @@ Turnout after_stop(Setting const& setting, Leg const& leg, Outlook const& outloo
 
 Turnout after_settling(Setting const& setting, Leg const& leg, Outlook const& outlook) {
     Rider rider = rider_at(setting, leg, outlook.duration);
-    if (std::abs(rider.slip()) <= grip_share * (std::abs(rider.speed) + std::abs(rider.rim))) rider.rim = rider.speed;
+    if (std::abs(rider.slip()) <= ride_grip * (std::abs(rider.speed) + std::abs(rider.rim))) rider.rim = rider.speed;
     Turnout turnout = ride_on_new_track(setting, rider, Onset::none, leg.until);
     return with_happening(turnout, kind_of(turnout.course.leg.phase), leg.contact);
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr int most_changes = 8;           // of phase within one substep; more means it is at rest for our purposes
 constexpr double no_slip_at_all = 1e-14;  // m/s
 
-double sign_of(double x) { return x < 0 ? -1 : 1; }
+double side_of(double x) { return x < 0 ? -1 : 1; }
 
 // The acceleration along the track but for friction.
 double drive_at(Drive const& drive, Along const& now) {
@@ -47,7 +47,7 @@ Progress rolled(Drive const& drive, Along along, double force, double time) {
     double const resistance =
         std::clamp(drive.material.rolling_resistance * drive.pressure, 0.0, std::max(0.0, grip_left));
     if (along.speed == 0 && std::abs(force) <= resistance) return {along, time};
-    double const against = -resistance * (along.speed != 0 ? sign_of(along.speed) : sign_of(force));
+    double const against = -resistance * (along.speed != 0 ? side_of(along.speed) : side_of(force));
     Along next = glided(drive, along, against, 1 + k, time);
     if (resistance > 0 && along.speed * next.speed < 0) {
         time *= along.speed / (along.speed - next.speed);
@@ -93,7 +93,7 @@ Along after_moving(Drive const& drive, Along const& start, double time) {
         double const force = drive_at(drive, along);
         bool const grips = std::isinf(mu) || (!slipping && k * std::abs(force) / (1 + k) <= mu * drive.pressure);
         if (grips || !slipping) along.rim = along.speed;
-        double const direction = sign_of(slipping ? along.speed - along.rim : force);
+        double const direction = side_of(slipping ? along.speed - along.rim : force);
         Progress const progress = grips ? rolled(drive, along, force, time) : slid(drive, along, direction, time);
         along = progress.along;
         time -= progress.time;

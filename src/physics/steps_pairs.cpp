@@ -44,7 +44,7 @@ bool before(Neighbours const& a, Neighbours const& b) {
 }
 
 // One ball's reach, in the band of the plane in which it begins.
-struct Span {
+struct PairSpan {
     double band = 0;
     double left = 0, right = 0;  // m
     Vec2 centre = Vec2::Zero();  // m
@@ -53,8 +53,8 @@ struct Span {
 };
 
 // Band by band, from left to right. A band is as high as the highest reach, so that one reaches into the next at most.
-std::vector<Span> spans_of(Stage const& stage, double height) {
-    std::vector<Span> spans(stage.reaches.size());
+std::vector<PairSpan> spans_of(Stage const& stage, double height) {
+    std::vector<PairSpan> spans(stage.reaches.size());
     for (std::size_t i = 0; i < spans.size(); ++i) {
         Box const& box = stage.reaches[i];
         double const radius = stage.travellers[i].ball->radius;
@@ -62,14 +62,14 @@ std::vector<Span> spans_of(Stage const& stage, double height) {
         spans[i] = {std::floor(box.low.y() / height), box.low.x(),        box.high.x(), 0.5 * (box.low + box.high),
                     radius + std::sqrt(2.0) * slack,  static_cast<int>(i)};
     }
-    std::sort(spans.begin(), spans.end(), [](Span const& a, Span const& b) {
+    std::sort(spans.begin(), spans.end(), [](PairSpan const& a, PairSpan const& b) {
         if (a.band != b.band) return a.band < b.band;
         return a.left != b.left ? a.left < b.left : a.ball < b.ball;
     });
     return spans;
 }
 
-bool may_meet(Span const& a, Span const& b) {
+bool may_meet(PairSpan const& a, PairSpan const& b) {
     Vec2 const d = b.centre - a.centre;
     return geometry::dot(d, d) <= (a.rim + b.rim) * (a.rim + b.rim);
 }
@@ -91,9 +91,9 @@ std::vector<Neighbours> in_order(std::vector<Neighbours> const& pairs, std::size
 std::vector<Neighbours> near_pairs(Stage const& stage) {
     double height = 0;
     for (Box const& box : stage.reaches) height = std::max(height, box.high.y() - box.low.y());
-    std::vector<Span> const spans = spans_of(stage, height);
+    std::vector<PairSpan> const spans = spans_of(stage, height);
     std::vector<Neighbours> pairs;
-    auto const add = [&](Span const& a, Span const& b) {
+    auto const add = [&](PairSpan const& a, PairSpan const& b) {
         if (may_meet(a, b)) pairs.push_back({std::min(a.ball, b.ball), std::max(a.ball, b.ball), false, {}, {}});
     };
     auto above = spans.begin();

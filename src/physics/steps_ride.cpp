@@ -19,7 +19,7 @@ constexpr double coming_off = 0.5;     // share of the pressure: below, the stre
 constexpr double small_turn = 0.05;    // rad
 constexpr int most_stretches = 16;     // into which a tight bend splits a substep
 constexpr double weightless = 1e-12;   // share of the acceleration: less pressure is none
-constexpr double standing = 1e-12;     // m/s
+constexpr double ride_standing = 1e-12;     // m/s
 
 // The ball's place on its surface: unit normal from terrain to ball, tangent t = (n.y, -n.x), and how the surface
 // bends.
@@ -243,7 +243,7 @@ bool runs_into(Substep const& substep, Traveller& traveller, Shape const& other,
     Contact const before = traveller.contact;
     arrive(substep, traveller, other, now);
     double const leaving = -closing_speed(substep.terrain, other, traveller);
-    return traveller.contact == before && leaving <= standing + no_slip * geometry::length(traveller.state.velocity);
+    return traveller.contact == before && leaving <= ride_standing + no_slip * geometry::length(traveller.state.velocity);
 }
 
 }  // namespace
@@ -278,8 +278,8 @@ double ride(Substep const& substep, Traveller& traveller, double left) {
     Stretch const stretch = stretch_along(substep, traveller, shape, place, start, drive, time);
     put(traveller, stretch.end, stretch.along);
     traveller.impulse = {drive.pressure * stretch.time, stretch.along.speed - start.speed - drive.push * stretch.time};
-    traveller.still = std::abs(start.speed) <= standing && std::abs(stretch.along.speed) <= standing &&
-                      std::abs(stretch.along.rim) <= standing;
+    traveller.still = std::abs(start.speed) <= ride_standing && std::abs(stretch.along.speed) <= ride_standing &&
+                      std::abs(stretch.along.rim) <= ride_standing;
     if (stretch.met.shape != nullptr) {
         Shape const other = *stretch.met.shape;
         if (runs_into(substep, traveller, other, now + stretch.time)) {

@@ -15,7 +15,7 @@ using geometry::wedge;
 namespace {
 
 constexpr double touching = 1e-12;  // share of the lengths involved: gaps below this are rounding
-constexpr double unmoving = 1e-12;  // share of the speed: closing speeds below this are rounding
+constexpr double shape_unmoving = 1e-12;  // share of the speed: closing speeds below this are rounding
 constexpr int refinements = 2;      // Newton steps from the chord's root to the parabola's
 
 Vec2 direction(double angle) {
@@ -55,8 +55,8 @@ struct Gap {
 
 bool closes_now(Gap const& g, double speed, double scale) {
     if (g.gap > touching * scale) return false;
-    if (g.rate < -unmoving * speed) return true;
-    return g.rate <= unmoving * speed && g.half_bend < 0;
+    if (g.rate < -shape_unmoving * speed) return true;
+    return g.rate <= shape_unmoving * speed && g.half_bend < 0;
 }
 
 // The root at which the gap goes from open to closed.

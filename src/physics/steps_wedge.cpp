@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_rounds = 100;   // over both contacts; a narrow groove converges slowly
 constexpr double settled = 1e-13;  // share of the impulses by which the last round may still change them
-constexpr double standing = 1e-7;  // m/s
+constexpr double wedge_standing = 1e-7;  // m/s
 
 // One of the two contacts with the impulses gathered so far, per unit mass.
 struct Hold {
@@ -70,8 +70,8 @@ void wedge_between(Substep const& substep, Traveller& traveller, Shape const& on
         Sight const sight = sight_of(substep.terrain, other, state.position);
         traveller.contact = {other.feature, sight.side};
     }
-    traveller.still = geometry::length(before.velocity) <= standing && geometry::length(state.velocity) <= standing &&
-                      std::abs(state.spin) * ball.radius <= standing;
+    traveller.still = geometry::length(before.velocity) <= wedge_standing && geometry::length(state.velocity) <= wedge_standing &&
+                      std::abs(state.spin) * ball.radius <= wedge_standing;
 }
 
 namespace {

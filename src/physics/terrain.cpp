@@ -17,12 +17,6 @@ namespace {
 
 constexpr double exposed_slack = 1e-12;       // rounding of a unit vector's scalar product
 constexpr double flat_cone = 1e-10;           // rad, cones narrower than this are rounding of a flat joint
-constexpr double whole_circle_slack = 1e-12;  // rad
-
-bool is_whole_circle(geometry::Curve const& curve) {
-    auto const* arc = std::get_if<Arc>(&curve);
-    return arc != nullptr && std::abs(arc->sweep) >= 2 * pi - whole_circle_slack;
-}
 
 void sort_spokes(Vertex& vertex) {
     std::stable_sort(vertex.spokes.begin(), vertex.spokes.end(),
@@ -77,7 +71,7 @@ Track arc_track(Arc const& arc, int side, double radius) {
     bool const starts_at_from = (arc.sweep > 0) == inside;
     track.phi0 = starts_at_from ? arc.from : arc.from + arc.sweep;
     track.length = std::abs(arc.sweep) * track.rho;
-    track.closed = is_whole_circle(arc);
+    track.closed = geometry::is_whole_circle(arc);
     return track;
 }
 

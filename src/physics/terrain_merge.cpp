@@ -96,16 +96,10 @@ void append_moved(std::vector<Piece>& pieces, Piece const& piece, Vec2 const& st
     pieces.push_back({stretched(second, middle, end), piece.material, piece.surface});
 }
 
-bool is_whole_circle(Curve const& curve) {
-    constexpr double whole_circle_slack = 1e-12;  // rad
-    auto const* arc = std::get_if<Arc>(&curve);
-    return arc != nullptr && std::abs(arc->sweep) >= 2 * pi - whole_circle_slack;
-}
-
 std::vector<Vec2> ends_of(std::vector<Piece> const& pieces) {
     std::vector<Vec2> ends;
     for (Piece const& piece : pieces)
-        if (!is_whole_circle(piece.curve)) {
+        if (!geometry::is_whole_circle(piece.curve)) {
             ends.push_back(geometry::start_of(piece.curve));
             ends.push_back(geometry::end_of(piece.curve));
         }
@@ -118,7 +112,7 @@ std::vector<Piece> with_ends_joined(std::vector<Piece> const& drawn) {
     for (Piece const& piece : drawn) {
         // What has no length has neither a tangent nor a side to touch.
         if (!(geometry::length_of(piece.curve) > 0)) continue;
-        if (is_whole_circle(piece.curve)) {
+        if (geometry::is_whole_circle(piece.curve)) {
             pieces.push_back(piece);
             continue;
         }
@@ -157,7 +151,7 @@ double place_along(Curve const& curve, Vec2 const& point) {
 
 void append_parted(std::vector<Piece>& pieces, Piece const& piece, std::vector<Vec2> const& places) {
     auto const* arc = std::get_if<Arc>(&piece.curve);
-    bool const whole = is_whole_circle(piece.curve);
+    bool const whole = geometry::is_whole_circle(piece.curve);
     std::vector<Vec2> stops = places;
     // A circle that is parted once is parted on its other side as well, so that no piece ends where it begins.
     if (whole && stops.size() == 1) stops.push_back(2 * arc->centre - stops.front());
@@ -193,7 +187,7 @@ std::vector<Piece> parted_at_points(std::vector<Piece> const& whole) {
     for (Vec2 const& point : sorted_points(whole))
         tree.each_near(geometry::stroke_of(point, point, lies_on), [&](int i) {
             geometry::Nearest const nearest = geometry::nearest_point(curves[i], point);
-            bool const at_an_end = !is_whole_circle(curves[i]) &&
+            bool const at_an_end = !geometry::is_whole_circle(curves[i]) &&
                                    (geometry::length(geometry::start_of(curves[i]) - point) <= vertex_reach ||
                                     geometry::length(geometry::end_of(curves[i]) - point) <= vertex_reach);
             if (nearest.distance <= lies_on && nearest.inside && !at_an_end)
@@ -283,7 +277,7 @@ MergedPieces merged(std::vector<Piece> drawn) {
     all.points = sorted_points(all.pieces);
     Chains chains(ends_of(all.pieces));
     for (Piece const& piece : all.pieces) {
-        bool const whole = is_whole_circle(piece.curve);
+        bool const whole = geometry::is_whole_circle(piece.curve);
         all.start.push_back(whole ? -1 : index_of(all.points, chains.place_of(geometry::start_of(piece.curve))));
         all.end.push_back(whole ? -1 : index_of(all.points, chains.place_of(geometry::end_of(piece.curve))));
     }

@@ -9,13 +9,13 @@ namespace view {
 
 namespace {
 
-struct Ground {
+struct GroundNearby {
     geometry::Nearest nearest;
     bool found = false;
 };
 
-Ground ground_near(physics::Terrain const& terrain, Vec2 const& centre, double reach) {
-    Ground ground;
+GroundNearby ground_near(physics::Terrain const& terrain, Vec2 const& centre, double reach) {
+    GroundNearby ground;
     terrain.tree.each_overlapping(geometry::grown({centre, centre}, reach), [&](int piece) {
         geometry::Nearest const nearest =
             geometry::nearest_point(terrain.pieces[static_cast<std::size_t>(piece)].curve, centre);
@@ -33,7 +33,7 @@ bool in_sight(Camera const& camera, Vec2 const& centre, double radius) {
 void add_shadow(std::vector<Shape>& shapes, physics::Terrain const& terrain, Vec2 const& centre, double radius,
                 Camera const& camera) {
     double constexpr reach = 3.5;  // radii
-    Ground const ground = ground_near(terrain, centre, reach * radius);
+    GroundNearby const ground = ground_near(terrain, centre, reach * radius);
     if (!ground.found || ground.nearest.distance < 1e-9) return;
     Vec2 const normal = (centre - ground.nearest.point) / ground.nearest.distance;
     double const height = std::max(0.0, ground.nearest.distance / radius - 1) / (reach - 1);

@@ -102,7 +102,7 @@ def build(folder, flags):
     compiler, options = flags.split(" ", 1)
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "build.log", "w+") as log:
-        for command in [["cmake", "-S", HERE, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+        for command in [["cmake", "-S", HERE, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0",
                          f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={options}"],
                         ["cmake", "--build", folder]]:
             if subprocess.run(command, stdout=log, stderr=subprocess.STDOUT).returncode != 0:

@@ -13,7 +13,7 @@ using namespace geometry;
 // The references are the C library's long double functions: 64 bits, 2000 times finer than what is promised.
 namespace {
 
-constexpr int cases = 100000;
+constexpr int elementary_cases = 100000;
 
 double error(double got, long double truth) { return static_cast<double>(std::abs(got - truth)); }
 
@@ -24,7 +24,7 @@ TEST_CASE("sine and cosine err by at most 1e-15 up to a million radians") {
     double worst = 0;
     for (double const range : {1.0, 10.0, 1e3, 1e6}) {
         std::uniform_real_distribution<double> angle(-range, range);
-        for (int i = 0; i < cases; ++i) {
+        for (int i = 0; i < elementary_cases; ++i) {
             double const x = angle(random);
             SineCosine const got = sine_cosine(x);
             worst = std::max({worst, error(got.sine, std::sin(static_cast<long double>(x))),
@@ -42,7 +42,7 @@ TEST_CASE("the exponential and the logarithm err by at most 1e-15 of themselves"
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> wide(-708, 709), narrow(-1, 1);
     double worst = 0;
-    for (int i = 0; i < cases; ++i)
+    for (int i = 0; i < elementary_cases; ++i)
         for (double const x : {wide(random), narrow(random)}) {
             long double const truth = std::exp(static_cast<long double>(x));
             worst = std::max(worst, error(exponential(x), truth) / static_cast<double>(truth));
@@ -64,7 +64,7 @@ TEST_CASE("arctangent and arccosine err by at most 1e-15") {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> share(-1, 1);
     double worst = 0;
-    for (int i = 0; i < cases; ++i) {
+    for (int i = 0; i < elementary_cases; ++i) {
         double const y = share(random), x = share(random) * (i % 3 == 0 ? 1e-6 : 1);
         worst = std::max({worst, error(arctangent(y, x), std::atan2(static_cast<long double>(y), x)),
                           error(arccosine(y), std::acos(static_cast<long double>(y)))});

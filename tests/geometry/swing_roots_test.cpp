@@ -11,12 +11,12 @@ using namespace geometry;
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int cases = 100;
+constexpr int swing_cases = 100;
 #else
-constexpr int cases = 600;
+constexpr int swing_cases = 600;
 #endif
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi_half = 1.57079632679489661923;
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double right_angle = 1.57079632679489661923;
 
 struct Line {
     double c0, c1;
@@ -43,7 +43,7 @@ TEST_CASE("no fall of a line plus a swing is missed or invented, in any regime")
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     constexpr double until = 8, step = 0.01;
-    for (int i = 0; i < 8 * cases; ++i) {
+    for (int i = 0; i < 8 * swing_cases; ++i) {
         double const frequency = std::floor(within(2, 48)) / 4;  // its square is exact, so critical is critical
         double const ratios[4] = {within(0.01, 0.95), 1, within(1.01, 4), 0};
         double const decay = ratios[i % 4] * frequency;
@@ -72,41 +72,41 @@ TEST_CASE("no fall of a line plus a swing is missed or invented, in any regime")
 }
 
 TEST_CASE("an undamped swing falls where its cosine says") {
-    SwingSearch const fall = first_swing_fall(0, 0, {0, 4}, {1, 0}, infinity);
-    CHECK(*fall.time == doctest::Approx(pi_half / 2).epsilon(1e-15));
-    CHECK_FALSE(first_swing_fall(1.5, 0, {0, 4}, {1, 0}, infinity).time);
-    CHECK_FALSE(first_swing_fall(1, 0, {0, 1}, {1, 0}, infinity).time);  // touches zero each period
+    SwingSearch const fall = first_swing_fall(0, 0, {0, 4}, {1, 0}, never);
+    CHECK(*fall.time == doctest::Approx(right_angle / 2).epsilon(1e-15));
+    CHECK_FALSE(first_swing_fall(1.5, 0, {0, 4}, {1, 0}, never).time);
+    CHECK_FALSE(first_swing_fall(1, 0, {0, 1}, {1, 0}, never).time);  // touches zero each period
 }
 
 TEST_CASE("a long swing high above ground is skipped, and the slow line still lands") {
-    CHECK(*first_swing_fall(3, -1e-9, {0.1, 100}, {2, 0}, infinity).time == doctest::Approx(3e9).epsilon(1e-15));
-    CHECK(first_swing_fall(3, 1e-9, {0.1, 100}, {2, 0}, infinity).searched_until == infinity);
+    CHECK(*first_swing_fall(3, -1e-9, {0.1, 100}, {2, 0}, never).time == doctest::Approx(3e9).epsilon(1e-15));
+    CHECK(first_swing_fall(3, 1e-9, {0.1, 100}, {2, 0}, never).searched_until == never);
 }
 
 TEST_CASE("a swing that dies out above, on or below zero") {
-    CHECK_FALSE(first_swing_fall(1, 0, {3, 8}, {1, 0}, infinity).time);
-    CHECK_FALSE(first_swing_fall(0, 0, {1, 1}, {1, 0}, infinity).time);
+    CHECK_FALSE(first_swing_fall(1, 0, {3, 8}, {1, 0}, never).time);
+    CHECK_FALSE(first_swing_fall(0, 0, {1, 1}, {1, 0}, never).time);
     // e^(-2t) + e^(-4t) = 3/4 at e^(-2t) = 1/2
-    CHECK(*first_swing_fall(-0.75, 0, {3, 8}, {2, -6}, infinity).time ==
+    CHECK(*first_swing_fall(-0.75, 0, {3, 8}, {2, -6}, never).time ==
           doctest::Approx(std::log(2.0) / 2).epsilon(1e-14));
 }
 
 TEST_CASE("drag without a spring, and no force at all") {
     // y = v0 (1 - e^(-2 t)) / 2
-    CHECK(*first_swing_fall(1, 0, {1, 0}, {0, -3}, infinity).time == doctest::Approx(std::log(3.0) / 2).epsilon(1e-14));
-    CHECK_FALSE(first_swing_fall(1, 0, {1, 0}, {0, -1.9}, infinity).time);
-    CHECK(*first_swing_fall(1, 0, {0, 0}, {0, -1}, infinity).time == 1);
-    CHECK_FALSE(first_swing_fall(0, 0, {1, 1}, {0, 0}, infinity).time);
+    CHECK(*first_swing_fall(1, 0, {1, 0}, {0, -3}, never).time == doctest::Approx(std::log(3.0) / 2).epsilon(1e-14));
+    CHECK_FALSE(first_swing_fall(1, 0, {1, 0}, {0, -1.9}, never).time);
+    CHECK(*first_swing_fall(1, 0, {0, 0}, {0, -1}, never).time == 1);
+    CHECK_FALSE(first_swing_fall(0, 0, {1, 1}, {0, 0}, never).time);
 }
 
 TEST_CASE("closed and closing falls at once, closed and opening does not") {
-    CHECK(first_swing_fall(-1, 0, {0, 1}, {1, -1}, infinity).time == 0.0);
-    CHECK(*first_swing_fall(-1, 0, {0, 1}, {1, 1}, infinity).time == doctest::Approx(pi_half).epsilon(1e-14));
+    CHECK(first_swing_fall(-1, 0, {0, 1}, {1, -1}, never).time == 0.0);
+    CHECK(*first_swing_fall(-1, 0, {0, 1}, {1, 1}, never).time == doctest::Approx(right_angle).epsilon(1e-14));
 }
 
 TEST_CASE("a swing let go at its turn falls though rounding has it rise") {
     // The gap 1e-6 closes at acos(1 - 1e-6) / omega whatever the last bit of the speed.
     for (double const speed : {-7e-17, 0.0, 7e-17})
-        CHECK(*first_swing_fall(1e-6 - 1, 0, {0, 466}, {1, speed}, infinity).time ==
+        CHECK(*first_swing_fall(1e-6 - 1, 0, {0, 466}, {1, speed}, never).time ==
               doctest::Approx(std::acos(1 - 1e-6) / std::sqrt(466.0)).epsilon(1e-9));
 }

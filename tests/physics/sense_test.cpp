@@ -34,7 +34,7 @@ Sensor rectangle(Vec2 const& low, Vec2 const& high) {
     return sensor;
 }
 
-Sensor line(Vec2 const& from, Vec2 const& to) {
+Sensor fence_line(Vec2 const& from, Vec2 const& to) {
     Sensor sensor;
     sensor.region = LineRegion{from, to};
     return sensor;
@@ -115,7 +115,7 @@ std::vector<Sensor> random_sensors(std::mt19937& random, int count) {
         Vec2 const place(x(random), y(random));
         Vec2 const extent(size(random), size(random));
         if (i % 3 == 0) sensors.push_back(disc(place, extent.x()));
-        if (i % 3 == 1) sensors.push_back(line(place, {x(random), y(random)}));
+        if (i % 3 == 1) sensors.push_back(fence_line(place, {x(random), y(random)}));
         if (i % 3 == 2) sensors.push_back(rectangle(place, place + extent));
     }
     sensors.push_back(rectangle({-2, -1.6}, {2, 1.5}));
@@ -147,7 +147,7 @@ TEST_CASE("a ball that rolls below a goal's edge does not enter it, however near
 
 TEST_CASE("a line just under a ball let go is crossed within the first step") {
     for (Method const& method : all_methods) {
-        Scene const scene = scene_of({}, {ball_at({4, 6})}, {line({2, 6 - 5e-5}, {6, 6 - 5e-5})});
+        Scene const scene = scene_of({}, {ball_at({4, 6})}, {fence_line({2, 6 - 5e-5}, {6, 6 - 5e-5})});
         auto const time = time_of(run_of(method, scene, 1, 1));
         INFO(std::string(name_of(method)));
         REQUIRE(time);
@@ -161,7 +161,7 @@ TEST_CASE("a line behind a bounce within a step is crossed on the way down") {
     double const impact = 100.5 / 240, above = 1e-3;  // s, in the middle of a step; m
     double const drop = g * impact * impact / 2;
     Scene const scene =
-        scene_of({floor_at(0, 1)}, {ball_at({0, 0.5 + drop})}, {line({-1, 0.5 + above}, {1, 0.5 + above})});
+        scene_of({floor_at(0, 1)}, {ball_at({0, 0.5 + drop})}, {fence_line({-1, 0.5 + above}, {1, 0.5 + above})});
     double const crossing = std::sqrt(2 * (drop - above) / g);
     auto const exact = time_of(run_of(Exact{}, scene, 0.5, 1)), steps = time_of(run_of(Steps{}, scene, 0.5, 1));
     REQUIRE(exact);
@@ -175,7 +175,7 @@ TEST_CASE("at the start a ball in a region or on a line is noticed at 0, and out
     Sensor fence = rectangle({5, 5}, {6, 6});
     fence.outside = true;
     Scene const scene =
-        scene_of({}, {ball_at({1, 1})}, {disc({1.5, 1}, 1), rectangle({0, 0}, {1, 1}), line({0, 1}, {2, 1}), fence}, 0);
+        scene_of({}, {ball_at({1, 1})}, {disc({1.5, 1}, 1), rectangle({0, 0}, {1, 1}), fence_line({0, 1}, {2, 1}), fence}, 0);
     for (Method const& method : all_methods) {
         Run const run = run_of(method, scene, 1, 1);
         for (int sensor = 0; sensor < 4; ++sensor) CHECK(time_of(run, sensor) == 0.0);

@@ -10,7 +10,7 @@ using namespace view_test;
 namespace {
 
 // Multiples of the spacing are rounded once.
-constexpr double rounding = 1e-9;
+constexpr double foresight_rounding = 1e-9;
 
 physics::History steady() {
     physics::State start;
@@ -27,7 +27,7 @@ TEST_CASE("the dots of a foresight stand still while the ball moves over them") 
     view::Foresight const late = view::foresight_of(steady(), level.scene, 0, 0.5 + 2.25 * view::dot_spacing, 1);
     REQUIRE(late.dots.size() > 10);
     for (std::size_t i = 0; i < 10; ++i)
-        CHECK(geometry::length(early.dots[i + 2].place - late.dots[i].place) < rounding);
+        CHECK(geometry::length(early.dots[i + 2].place - late.dots[i].place) < foresight_rounding);
 }
 
 TEST_CASE("a foresight reaches its horizon, and not beyond") {
@@ -36,7 +36,7 @@ TEST_CASE("a foresight reaches its horizon, and not beyond") {
     CHECK(foresight.dots.size() == 40);
     CHECK(foresight.dots.front().ahead > 0);
     CHECK(foresight.dots.back().ahead <= 1);
-    CHECK(foresight.dots.back().place.x() == doctest::Approx(1 + 4 * 1.0).epsilon(rounding));
+    CHECK(foresight.dots.back().place.x() == doctest::Approx(1 + 4 * 1.0).epsilon(foresight_rounding));
 }
 
 TEST_CASE("a ball that falls is foreseen to touch where its rim meets the floor") {
@@ -47,8 +47,8 @@ TEST_CASE("a ball that falls is foreseen to touch where its rim meets the floor"
     physics::History const coming = physics::predicted(physics::Exact{}, level.scene, world, 1);
     view::Foresight const foresight = view::foresight_of(coming, level.scene, 0, 0, 1);
     REQUIRE(foresight.touches.size() == 1);
-    CHECK(foresight.touches[0].ahead == doctest::Approx(0.5).epsilon(rounding));
-    CHECK(foresight.touches[0].place.y() == doctest::Approx(1.5).epsilon(rounding));
+    CHECK(foresight.touches[0].ahead == doctest::Approx(0.5).epsilon(foresight_rounding));
+    CHECK(foresight.touches[0].place.y() == doctest::Approx(1.5).epsilon(foresight_rounding));
 }
 
 TEST_CASE("a ball at rest leaves no dots") {
