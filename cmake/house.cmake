@@ -30,7 +30,7 @@ target_compile_options(house INTERFACE $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=loca
 target_compile_definitions(house INTERFACE _REENTRANT)
 # g++ 12 warns of strings and variants that it has itself copied wrongly while inlining (its bugs 105329, 105562, 105651).
 target_compile_options(house INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized
-    -Wno-array-bounds -Wno-stringop-overflow>)
+    -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread>)
 # Vectorising, g++ 12 makes a fused multiply-add of a product added and subtracted (a rotation), whatever -ffp-contract is.
 target_compile_options(house INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize -fno-tree-slp-vectorize>)
 if(SMB2D_STRICT)
