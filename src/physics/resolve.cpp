@@ -306,6 +306,10 @@ std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std
             Vec2 const along = load - (dot(load, normal) / dot(normal, normal)) * normal;
             double const pull = geometry::length(along);
             if (!(pull > hold_rounding * geometry::length(load))) continue;
+            bool const barred = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
+                return k != i && k != j && dot(along, struck.supports[k].normal) < -parallel * pull;
+            });
+            if (barred) continue;
             Vec2 const sum = struck.supports[i].normal + struck.supports[j].normal;
             double const way = radius * geometry::length(sum) / 2 + touch_reach / 8;
             Turnout turnout;
@@ -333,12 +337,14 @@ Turnout among_several(Setting const& setting, Struck& struck, std::vector<std::s
     return stuck(setting, struck, kept, time);
 }
 
-// Whether the sum of bounces ends before the track does, in either direction and with room to spare.
+// Whether the sum of bounces, which goes straight, stays on the track: it ends before the track does, in either direction
+// and with room to spare, and has not strayed from its curve.
 bool keeps_to_track(Setting const& setting, Rider const& rider, Course const& course) {
     auto const& motion = std::get<Ballistic>(course.leg.motion);
     double const way = course.duration * (geometry::length(motion.from.velocity) +
                                           course.duration * geometry::length(motion.acceleration));
     if (way == 0) return true;
+    if (!rider.track.straight && way * way > 2 * rider.track.rho * least_depth) return false;
     TrackEnds const ends = ends_of_track(setting.terrain, rider.contact, rider.track, rider.q, setting.ball.radius);
     return rider.q - 2 * way > ends.low.q && rider.q + 2 * way < ends.high.q;
 }

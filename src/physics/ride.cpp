@@ -69,11 +69,25 @@ Turnout with_happening(Turnout turnout, EventKind kind, Contact contact) {
     return turnout;
 }
 
+// Over the gap that a convex joint leaves between two tracks, at most r times its turn: work done on the way is the
+// field's, so that nothing is gained by going up.
+void carry_over(Setting const& setting, Rider& rider, Vec2 const& from) {
+    Vec2 const way = position_at(rider.track, rider.q) - from;
+    if (geometry::length(way) <= touch_reach) return;
+    double const inertia = rider.slip() == 0 ? 1 + setting.ball.inertia : 1;
+    double const work = 2 * dot(acceleration_in(setting.field, from, Vec2::Zero()), way) / inertia;
+    double const speed = std::copysign(std::sqrt(std::max(0.0, rider.speed * rider.speed + work)), rider.speed);
+    if (rider.slip() == 0) rider.rim = speed;
+    rider.speed = speed;
+}
+
 Turnout after_track(Setting const& setting, Leg const& leg, Outlook const& outlook) {
     Rider rider = rider_at(setting, leg, outlook.duration);
+    Vec2 const from = position_at(rider.track, rider.q);
     rider.contact = outlook.next;
     rider.track = track_of(setting.terrain, outlook.next, setting.ball.radius);
     rider.q = outlook.next_q;
+    carry_over(setting, rider, from);
     EventKind const kind = outlook.ending == Ending::joins ? EventKind::joint : EventKind::corner;
     return with_happening(ride_on_new_track(setting, rider, Onset::none, leg.until), kind, outlook.next);
 }

@@ -52,6 +52,14 @@ double coordinate_at(Terrain const& terrain, Contact contact, bool at_start, dou
     return ends_at_start(contact, towards_low) == at_start ? 0 : track.length;
 }
 
+// A ball goes on to the next track a little after it begins, as far on it as it went too far on this one: about where two
+// tracks meet it may swing for ever by rounding alone, and no event comes of it.
+constexpr double joint_slack = 1e-12;  // m
+
+TrackEnd goes_on_to(EndKind kind, double q, int direction, Contact next, double next_q) {
+    return {kind, q + direction * joint_slack, next, next_q + direction * joint_slack};
+}
+
 TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& track, double radius, int direction) {
     bool const at_start = ends_at_start(contact, direction);
     int const index = at_start ? terrain.start_vertex[contact.feature] : terrain.end_vertex[contact.feature];
@@ -63,7 +71,7 @@ TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& trac
     if (turn.away >= joint_turn) {
         Contact const pivot{terrain.feature_of_vertex(index), 1};
         Track const round = track_of(terrain, pivot, radius);
-        return {EndKind::corner, q, pivot, direction == towards_high ? 0 : round.length};
+        return goes_on_to(EndKind::corner, q, direction, pivot, direction == towards_high ? 0 : round.length);
     }
     Spoke const& neighbour = vertex.spokes[turn.spoke];
     Contact const next = beside(neighbour, !left);
@@ -71,7 +79,7 @@ TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& trac
     // A joint that turns towards the ball is passed where the two tracks cross, half the turn before the vertex.
     double const early = std::max(0.0, -turn.away) / 2 * radius;
     double const entry = coordinate_at(terrain, next, neighbour.at_start, radius);
-    return {EndKind::joint, q - direction * early, next, entry == 0 ? early : entry - early};
+    return goes_on_to(EndKind::joint, q - direction * early, direction, next, entry == 0 ? early : entry - early);
 }
 
 TrackEnd end_of_vertex(Terrain const& terrain, Contact contact, Track const& track, double radius, int direction) {
@@ -93,7 +101,7 @@ TrackEnd end_of_vertex(Terrain const& terrain, Contact contact, Track const& tra
     Contact const next = beside(spoke, direction == towards_high);
     double const q = direction == towards_high ? track.length : 0;
     if (!fits(terrain, next, radius)) return {EndKind::wall, q, next, 0};
-    return {EndKind::joint, q, next, coordinate_at(terrain, next, spoke.at_start, radius)};
+    return goes_on_to(EndKind::joint, q, direction, next, coordinate_at(terrain, next, spoke.at_start, radius));
 }
 
 TrackEnd end_of(Terrain const& terrain, Contact contact, Track const& track, double radius, int direction) {
