@@ -102,8 +102,14 @@ bool strike_both(Setting const& setting, Struck& struck, std::size_t i, std::siz
     double const push_a = (p - cosine * q) / sine_square, push_b = (q - cosine * p) / sine_square;
     if (push_a < 0 || push_b < 0) return false;
     struck.state.velocity += push_a * a.normal + push_b * b.normal;
-    rub(setting, struck.state, a.normal, of_a.friction * push_a);
-    rub(setting, struck.state, b.normal, of_b.friction * push_b);
+    // Neither rubs first: the mean of both orders, which has no more energy than they.
+    State a_first = struck.state, b_first = struck.state;
+    rub(setting, a_first, a.normal, of_a.friction * push_a);
+    rub(setting, a_first, b.normal, of_b.friction * push_b);
+    rub(setting, b_first, b.normal, of_b.friction * push_b);
+    rub(setting, b_first, a.normal, of_a.friction * push_a);
+    struck.state.velocity = (a_first.velocity + b_first.velocity) / 2;
+    struck.state.spin = (a_first.spin + b_first.spin) / 2;
     note_blow(struck, e_a > 0 ? EventKind::bounce : EventKind::land, a.contact);
     note_blow(struck, e_b > 0 ? EventKind::bounce : EventKind::land, b.contact);
     struck.gripped.reset();
@@ -306,9 +312,11 @@ std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std
             Vec2 const along = load - (dot(load, normal) / dot(normal, normal)) * normal;
             double const pull = geometry::length(along);
             if (!(pull > hold_rounding * geometry::length(load))) continue;
-            bool const barred = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
-                return k != i && k != j && dot(along, struck.supports[k].normal) < -parallel * pull;
-            });
+            bool const barred =
+                std::any_of(struck.supports.begin(), struck.supports.end(), [&](Support const& s) {
+                    return &s != &struck.supports[i] && &s != &struck.supports[j] &&
+                           dot(along, s.normal) < -parallel * pull;
+                });
             if (barred) continue;
             Vec2 const sum = struck.supports[i].normal + struck.supports[j].normal;
             double const way = radius * geometry::length(sum) / 2 + touch_reach / 8;
