@@ -75,7 +75,8 @@ private:
         Field const field = field_on(scene_, world_.forces, i);
         Outlook const& outlook = world_.outlooks[i];
         bool const has_a_limit = !field.pulled && !outlook.watch_mixed;
-        bool const crowded = count() == 1 && outlook.watch_count > crowd_events && !has_a_limit;
+        int const most = outlook.watch_mixed ? crowd_events : crowd_events / 2;
+        bool const crowded = count() == 1 && outlook.watch_count > most && !has_a_limit;
         return {scene_.terrain, scene_.balls[i], field, crowded};
     }
 
