@@ -291,6 +291,21 @@ bool stands_among_several(Setting const& setting, Struck const& struck) {
     return all.size() > 1 && speed * speed <= 2 * pull * height && pins(struck, all);
 }
 
+// Along two straight walls as far apart as the ball is wide, neither of which presses on it.
+std::optional<Turnout> between_walls(Setting const& setting, Struck const& struck, std::size_t i, std::size_t j,
+                                     double time) {
+    Rider const rider = rider_on(setting, struck, i);
+    if (!rider.track.straight || struck.supports[j].curvature != 0 || is_pressed(setting, rider) ||
+        is_pressed(setting, rider_on(setting, struck, j)))
+        return std::nullopt;
+    Law law;
+    law.phase = Phase::slide;
+    Turnout turnout;
+    turnout.ends = ends_of_track(setting.terrain, rider.contact, rider.track, rider.q, setting.ball.radius);
+    turnout.course = track_course(setting, rider, law, turnout.ends, time);
+    return turnout;
+}
+
 // Between two points as far apart as the ball is wide, within touch, it is held by rounding alone: it passes them. By two
 // surfaces that face each other it may be held no better.
 std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std::vector<std::size_t> const& kept,
@@ -318,6 +333,7 @@ std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std
                            dot(along, s.normal) < -parallel * pull;
                 });
             if (barred) continue;
+            if (auto const on = between_walls(setting, struck, i, j, time)) return *on;
             Vec2 const sum = struck.supports[i].normal + struck.supports[j].normal;
             double const way = radius * geometry::length(sum) / 2 + touch_reach / 8;
             Turnout turnout;
