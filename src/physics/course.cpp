@@ -112,6 +112,8 @@ Law limited_roll_law(Setting const& setting, Material const& material, double si
     return law;
 }
 
+constexpr double spent_share = 1e-13;  // of the radius
+
 double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 }  // namespace
@@ -131,8 +133,22 @@ bool is_pressed(Setting const& setting, Rider const& rider) {
     return normal_force_of(push, rider) > level_share * geometry::length(push.field);
 }
 
+// A ball on the spring that neither moves nor is driven by more than rounding rests until the pull changes: what is left
+// takes it nowhere, and would slip and grip for ever.
+bool is_spent(Setting const& setting, Rider const& rider) {
+    if (!setting.field.pulled) return false;
+    double const reach = spent_share * setting.ball.radius, stiffness = setting.field.spring.stiffness;
+    double const fastest = std::max(std::abs(rider.speed), std::abs(rider.rim));
+    return fastest <= reach * std::sqrt(stiffness) && std::abs(tangent_acceleration(setting, rider)) <= reach * stiffness;
+}
+
 Law law_for(Setting const& setting, Rider const& rider, Onset onset) {
     Material const& material = material_of(setting.terrain, rider.contact.feature);
+    if (is_spent(setting, rider)) {
+        Law rest;
+        rest.phase = Phase::rest;
+        return rest;
+    }
     if (onset == Onset::slipping_forwards) return slide_law(setting, material, 1);
     if (onset == Onset::slipping_backwards) return slide_law(setting, material, -1);
     if (rider.slip() != 0) return slide_law(setting, material, sign_of(rider.slip()));
