@@ -13,8 +13,9 @@ using geometry::Segment;
 
 namespace {
 
-// Along the surface, nearer than this to a feature's end a ball is at it. m
-constexpr double end_zone = touch_reach;
+// A ball whose centre is nearer than this to the normal through a feature's end is at the end. Half of what a feature
+// reaches beyond its end, so that where one ends the next is always seen. m
+constexpr double end_zone = touch_reach / 2;
 // Normals nearer than this are one.
 constexpr double same_normal = 1e-9;
 // Between the supports that stand for a socket. rad
@@ -63,12 +64,12 @@ private:
         int const inner_side = arc.sweep > 0 ? 1 : -1;
         if (std::abs(room) <= socket_play && distance <= std::max(0.0, room) + socket_play)
             return fill_socket(index, arc, inner_side);
-        if (distance == 0 || !is_over(index, arc, out, distance)) return;
+        if (distance == 0 || !is_over(index, arc, out)) return;
         if (distance > arc.radius) {
             if (distance - arc.radius - radius_ <= touch_reach)
-                add_on_arc(index, arc, {{index, -inner_side}, out / distance, distance - arc.radius - radius_, 1 / distance}, distance);
+                add_on_arc(index, arc, {{index, -inner_side}, out / distance, distance - arc.radius - radius_, 1 / distance});
         } else if (room - distance <= touch_reach && room >= -socket_play) {
-            add_on_arc(index, arc, {{index, inner_side}, -out / distance, room - distance, -1 / distance}, distance);
+            add_on_arc(index, arc, {{index, inner_side}, -out / distance, room - distance, -1 / distance});
         }
     }
 
@@ -76,22 +77,20 @@ private:
     static double past_start(Arc const& arc, Vec2 const& out) { return -dot(out, geometry::tangent_at_start(arc)); }
     static double past_end(Arc const& arc, Vec2 const& out) { return dot(out, geometry::tangent_at_end(arc)); }
 
-    bool is_over(int index, Arc const& arc, Vec2 const& out, double distance) const {
+    bool is_over(int index, Arc const& arc, Vec2 const& out) const {
         if (terrain_.start_vertex[index] < 0) return true;
-        double const reach = touch_reach * distance / arc.radius;
-        bool const after_start = past_start(arc, out) <= reach, before_end = past_end(arc, out) <= reach;
+        bool const after_start = past_start(arc, out) <= touch_reach, before_end = past_end(arc, out) <= touch_reach;
         return std::abs(arc.sweep) > geometry::pi ? after_start || before_end : after_start && before_end;
     }
 
-    void add_on_arc(int index, Arc const& arc, Support support, double distance) {
+    void add_on_arc(int index, Arc const& arc, Support support) {
         if (terrain_.start_vertex[index] >= 0) {
-            double const scale = arc.radius / distance;
             Vec2 const out = centre_ - arc.centre;
             Vec2 const start = geometry::tangent_at_start(arc), end = geometry::tangent_at_end(arc);
             bool const near_start = dot(out, geometry::start_of(arc) - arc.centre) > 0;
             bool const near_end = dot(out, geometry::end_of(arc) - arc.centre) > 0;
-            if (near_start) mark_end(support, -start, -past_start(arc, out) * scale);
-            if (near_end) mark_end(support, end, -past_end(arc, out) * scale);
+            if (near_start) mark_end(support, -start, -past_start(arc, out));
+            if (near_end) mark_end(support, end, -past_end(arc, out));
         }
         supports.push_back(support);
     }

@@ -74,7 +74,7 @@ private:
     Setting setting(int i) const {
         Field const field = field_on(scene_, world_.forces, i);
         Outlook const& outlook = world_.outlooks[i];
-        bool const has_a_limit = !field.pulled && !outlook.watch_mixed;
+        bool const has_a_limit = !field.pulled && !outlook.watch_mixed && !outlook.watch_elastic;
         int const most = outlook.watch_mixed ? crowd_events : crowd_events / 2;
         bool const crowded = count() == 1 && outlook.watch_count > most && !has_a_limit;
         return {scene_.terrain, scene_.balls[i], field, crowded};
@@ -127,9 +127,15 @@ private:
             outlook.watch_count = 0;
             outlook.watch_contact = outlook.next;
             outlook.watch_mixed = false;
+            outlook.watch_elastic = false;
         }
         outlook.watch_mixed = outlook.watch_mixed || outlook.next != outlook.watch_contact;
+        outlook.watch_elastic = outlook.watch_elastic || is_elastic(outlook.next);
         return ++outlook.watch_count <= watch_events;
+    }
+
+    bool is_elastic(Contact contact) const {
+        return contact.feature >= 0 && material_of(scene_.terrain, contact.feature).restitution > most_summed;
     }
 
     // Counts the events of a lone ball within short spans: first they crowd, then, though no rule of ours should let them,
@@ -189,6 +195,7 @@ private:
         Outlook const& outlook = world_.outlooks[i];
         Contact const floor = outlook.clearing.contact;
         if (outlook.ending != Ending::meets || floor.feature < 0) return false;
+        if (outlook.watch_elastic && outlook.watch_count > crowd_events / 2) return false;
         auto const next = next_hop(outlook.clearing, scene_.terrain, scene_.balls[i],
                                    std::get<Ballistic>(world_.legs[i].motion), outlook.duration);
         if (next) set_out(i, next->state, no_contact, next->duration, EventKind::bounce, floor);

@@ -39,6 +39,7 @@ struct Outlook {
     int watch_count = 0;
     Contact watch_contact;     // the first that was met, and whether
     bool watch_mixed = false;  // others were
+    bool watch_elastic = false;  // one of them loses all but nothing
     double stall_since = 0;  // s, the same
     int stall_count = 0;
 };

@@ -25,6 +25,8 @@ constexpr double parallel = 1e-9;
 constexpr double least_depth = 1e-11;
 // Forces below this share of the field are rounding.
 constexpr double hold_rounding = 1e-12;
+// Of a pull, the share against which a further contact bars the way: those of the ends of one wall differ by less.
+constexpr double barring = 1e-3;
 // Normals nearer than this to opposite do not hold what lies between them.
 constexpr double opposite_normals = 4e-9;
 
@@ -118,13 +120,17 @@ bool strike_both(Setting const& setting, Struck& struck, std::size_t i, std::siz
 
 // Blows until nothing closes; what would go on for ever ends with the ball standing.
 void strike_all(Setting const& setting, Struck& struck) {
-    for (int blow = 0; blow < most_blows; ++blow) {
+    for (int blow = 0;; ++blow) {
         std::vector<std::size_t> const closing = closing_supports(struck);
         if (closing.empty()) return;
+        if (blow == most_blows) break;
         if (closing.size() == 2 && strike_both(setting, struck, closing[0], closing[1])) continue;
         strike(setting, struck, closing.front());
     }
-    struck.state.velocity = Vec2::Zero();
+    // To and fro between two walls that face each other it is only across them that it stands.
+    Vec2 const normal = struck.supports[closing_supports(struck).front()].normal;
+    struck.state.velocity -= dot(struck.state.velocity, normal) * normal;
+    if (!closing_supports(struck).empty()) struck.state.velocity = Vec2::Zero();
 }
 
 Rider rider_on(Setting const& setting, Struck const& struck, std::size_t i) {
@@ -330,7 +336,7 @@ std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std
             bool const barred =
                 std::any_of(struck.supports.begin(), struck.supports.end(), [&](Support const& s) {
                     return &s != &struck.supports[i] && &s != &struck.supports[j] &&
-                           dot(along, s.normal) < -parallel * pull;
+                           dot(along, s.normal) < -barring * pull;
                 });
             if (barred) continue;
             if (auto const on = between_walls(setting, struck, i, j, time)) return *on;
@@ -339,9 +345,10 @@ std::optional<Turnout> passing(Setting const& setting, Struck const& struck, std
             Turnout turnout;
             turnout.course.leg.since = time;
             State state = struck.state;
-            state.velocity = Vec2::Zero();
+            double const speed = std::max(0.0, dot(state.velocity, along) / pull);
+            state.velocity = speed / pull * along;
             turnout.course.leg.motion = Ballistic{state, along, 0};
-            turnout.course.duration = std::sqrt(2 * way / pull);
+            turnout.course.duration = 2 * way / (speed + std::sqrt(speed * speed + 2 * pull * way));
             turnout.course.leg.until = time + turnout.course.duration;
             turnout.course.ending = Ending::meets;
             return turnout;
