@@ -9,6 +9,7 @@
 #include "level/attributes.h"
 #include "level/document.h"
 #include "level/outlines.h"
+#include "level/paints.h"
 #include "level/reading.h"
 #include "level/style.h"
 #include "level/transform.h"
@@ -24,6 +25,7 @@ struct Context {
     Inherited inherited;
     Style style;
     std::optional<Role> role;            // of the nearest group that has one
+    bool grass = false;                  // terrain is asked to be grass and soil, however it is painted
     ReferenceBox viewport;               // what per cent are of
     std::optional<geometry::Box> shown;  // m, what a nested svg shows of it
     Copy copy = Copy::none;
@@ -32,7 +34,8 @@ struct Context {
 
 class Elements {
 public:
-    Elements(Document const& document, Reading& reading) : document_(document), reading_(reading) {}
+    Elements(Document const& document, Reading& reading, Styles& styles)
+        : document_(document), reading_(reading), paints_(document.root(), styles) {}
 
     // Faults of a group's, or the root's, own attributes.
     void inspect_group(pugi::xml_node node, std::string_view tag);
@@ -71,6 +74,7 @@ private:
     void inspect_data(Element const& element, Role role);
     void read_role(Element const& element, Role role);
     void read_terrain(Element const& element);
+    void paint_terrain(Element const& element, std::vector<Outline>& outlines);
     void read_ball(Element const& element);
     void read_banana(Element const& element);
     void read_goal(Element const& element);
@@ -81,7 +85,7 @@ private:
     Vec2 velocity(Element const& element);
     double tolerance(Element const& element);
     Traced traced_within_limits(Element const& element, Shape const& shape);
-    void add_sensor(physics::Sensor sensor, Meaning meaning, int line);
+    void add_sensor(Element const& element, physics::Sensor sensor, Meaning meaning);
     void fault(Element const& element, std::string const& what) {
         reading_.report.fault(element.line, element.label + ": " + what);
     }
@@ -92,10 +96,12 @@ private:
 
     Document const& document_;
     Reading& reading_;
+    Paints paints_;
     std::vector<physics::Piece> pieces_;
     std::vector<int> players_, copied_players_;
     std::size_t pieces_met_ = 0;
     int balls_met_ = 0, sensor_elements_ = 0;
+    bool grass_met_ = false;  // terrain that the drawing does not paint itself
 };
 
 }  // namespace level

@@ -69,6 +69,24 @@ void settle_starts(Reading& reading) {
                              "ball: does not fit between what it touches: moved out, it " + overlap_in_words(left));
 }
 
+// What balls touch is the middle of a stroke: a wide one looks as if they sank into it.
+void remark_on_strokes(Reading& reading) {
+    constexpr double widest = 0.02;  // of the ball's diameter
+    if (reading.ball_lines.empty()) return;
+    Level& level = reading.level;
+    double const across = 2 * level.scene.balls[static_cast<std::size_t>(level.player)].radius;
+    Surface const* first = nullptr;
+    int wide = 0;
+    for (Surface const& surface : reading.surfaces) {
+        if (surface.stroke_width <= widest * across) continue;
+        if (++wide == 1) first = &surface;
+    }
+    if (wide == 0) return;
+    std::string const more = wide > 1 ? ", and " + std::to_string(wide - 1) + " more" : "";
+    level.remarks.push_back({first->line, "terrain: a stroke of " + shown(first->stroke_width) +
+                                              " m is wider than 2 % of the ball, which touches its middle" + more});
+}
+
 }  // namespace
 
 Reading reading_of(std::string const& file) {
@@ -90,6 +108,7 @@ Reading reading_of(std::string const& file) {
     add_fall(reading.level);
     reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
     if (reading.in_place) settle_starts(reading);
+    remark_on_strokes(reading);
     return reading;
 }
 

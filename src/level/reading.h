@@ -14,6 +14,7 @@ struct Surface {
     int line = 0;
     int first_outline = 0, outlines = 0;  // in Level::outlines
     bool filled = false;                  // it is drawn with its inside painted
+    double stroke_width = 0;              // m, as painted by the drawing
 };
 
 struct Reading {
