@@ -77,8 +77,7 @@ void Elements::read(pugi::xml_node node, std::string_view tag, Context const& co
     if (roles.size() > 1)
         return fault(element, std::string("has two roles, ") + name_of(roles[0]) + " and " + name_of(roles[1]));
     if (!is_shape(tag)) return fault(element, quoted(tag) + " cannot be " + name_of(*role) + what_to_do_with(tag));
-    bool const full = pieces_met_ > most_pieces && role != Role::ball;
-    if (full) return;
+    if (is_overfull() && role != Role::ball) return;
     inspect_data(element, *role);
     inspect_look(element);
     try {
@@ -140,7 +139,7 @@ double Elements::tolerance(Element const& element) { return number(element, Data
 Traced Elements::traced_within_limits(Element const& element, Shape const& shape) {
     Traced result = traced(shape, element.context.to_world, tolerance(element));
     for (Outline const& outline : result.outlines) pieces_met_ += outline.curves.size();
-    if (pieces_met_ > most_pieces) throw Broken("all shapes together must have at most 1000000 pieces");
+    if (is_overfull()) throw Broken("all shapes together must have at most 1000000 pieces");
     return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "level/attributes.h"
 #include "level/document.h"
+#include "level/limits.h"
 #include "level/outlines.h"
 #include "level/paints.h"
 #include "level/reading.h"
@@ -53,6 +54,8 @@ public:
     // How findings name an element: by its role, else by its tag.
     std::string label(pugi::xml_node node, std::string_view tag) const;
 
+    bool is_overfull() const { return pieces_met_ > most_pieces; }  // no terrain is to be made of what was read
+    bool met_gradients() const { return paints_.met_gradients(); }
     int balls_met() const { return balls_met_; }                  // sound or not
     std::vector<int> const& players() const { return players_; }  // balls with the id player
     std::vector<int> const& copied_players() const { return copied_players_; }

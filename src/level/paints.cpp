@@ -110,6 +110,7 @@ std::optional<Paint> Paints::paint_in(std::string_view text, std::string_view cu
     std::string const id(name.substr(0, 1) == "#" ? name.substr(1) : std::string_view());
     auto const known = means_.find(id);
     auto const mean = known != means_.end() ? known->second : means_.emplace(id, mean_of(id)).first->second;
+    met_gradients_ = met_gradients_ || mean.has_value();
     if (mean) return mean;
     std::string_view const otherwise = trimmed(text.substr(close + 1));
     if (!otherwise.empty() && !same_word(otherwise.substr(0, 4), "url(")) return paint_in(otherwise, current);

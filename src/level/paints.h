@@ -25,6 +25,8 @@ public:
     // neither a colour nor a gradient of this file, patterns for one.
     std::optional<Paint> paint_in(std::string_view text, std::string_view current);
 
+    bool met_gradients() const { return met_gradients_; }
+
 private:
     std::optional<Paint> mean_of(std::string const& id);
     pugi::xml_node gradient(std::string const& id);
@@ -33,6 +35,7 @@ private:
     Styles& styles_;
     std::unordered_map<std::string, pugi::xml_node> by_id_;
     std::unordered_map<std::string, std::optional<Paint>> means_;
+    bool met_gradients_ = false;
 };
 
 }  // namespace level

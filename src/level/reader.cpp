@@ -106,9 +106,13 @@ Reading reading_of(std::string const& file) {
     Walk walk(document, frame.value_or(Frame{}), reading);
     choose_player(reading, walk.elements(), document.line_of(document.root()));
     add_fall(reading.level);
-    reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
+    if (walk.elements().is_overfull()) reading.in_place = false;
+    if (reading.in_place) reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
     if (reading.in_place) settle_starts(reading);
     remark_on_strokes(reading);
+    if (walk.elements().met_gradients())
+        reading.level.remarks.push_back(
+            {document.line_of(document.root()), "svg: gradients are shown as their mean colour"});
     return reading;
 }
 

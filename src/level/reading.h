@@ -23,7 +23,7 @@ struct Reading {
     std::vector<int> ball_lines;    // by ball
     std::vector<int> sensor_lines;  // by sensor, without the last, which is the rim of the world
     Report report;
-    bool in_place = true;  // false where a broken transform or frame leaves open where things are
+    bool in_place = true;  // false where a broken transform or frame, or too much of it, leaves open what is where
 };
 
 // Throws std::runtime_error where the file cannot be opened; all else that is wrong is in the report.

@@ -84,6 +84,10 @@ TEST_CASE("a gradient stands for its mean colour") {
              "stop-opacity='0'/></linearGradient>") == "#ff0000/none/0/0.5");
     CHECK(of("<linearGradient id='a' href='#b'/><linearGradient id='b' href='#a'/>") == "");
     CHECK(painted("<path class='terrain' fill='url(#none) #abc' " + earth + "/>") == "#aabbcc/none/0/1");
+    auto const level = read(with("<radialGradient id='a'>" + stops + "</radialGradient><rect fill='url(#a)' width='1' "
+                                 "height='1'/>"));
+    REQUIRE(level.remarks.size() == 1);
+    CHECK(level.remarks[0].text == "svg: gradients are shown as their mean colour");
 }
 
 TEST_CASE("balls and goals have the drawing's colours") {
