@@ -35,7 +35,7 @@ std::vector<std::string> notes_on(std::string const& file, game::MethodWish cons
     std::vector<std::string> notes;
     level::Level const level = level::read_level(file);
     for (level::Finding const& remark : level.remarks)
-        notes.push_back(file + ":" + std::to_string(remark.line) + ": note: " + remark.text);
+        notes.push_back(file + ": note: line " + std::to_string(remark.line) + ": " + remark.text);
     for (std::string const& note : level::notes_on(level)) notes.push_back(file + ": note: " + note);
     for (physics::Reason const& reason : physics::needs_of(level.scene))
         notes.push_back(file + ": needs " + physics::name_of(reason.need) + ": " + clause_of(reason, level));

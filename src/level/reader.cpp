@@ -69,6 +69,8 @@ void settle_starts(Reading& reading) {
                              "ball: does not fit between what it touches: moved out, it " + overlap_in_words(left));
 }
 
+void remark(Level& level, int line, std::string text) { level.remarks.push_back({line, std::move(text), false}); }
+
 // What balls touch is the middle of a stroke: a wide one looks as if they sank into it.
 void remark_on_strokes(Reading& reading) {
     constexpr double widest = 0.02;  // of the ball's diameter
@@ -83,8 +85,9 @@ void remark_on_strokes(Reading& reading) {
     }
     if (wide == 0) return;
     std::string const more = wide > 1 ? ", and " + std::to_string(wide - 1) + " more" : "";
-    level.remarks.push_back({first->line, "terrain: a stroke of " + shown(first->stroke_width) +
-                                              " m is wider than 2 % of the ball, which touches its middle" + more});
+    remark(level, first->line,
+           "terrain: a stroke of " + shown(first->stroke_width) +
+               " m is wider than 2 % of the ball, which touches its middle" + more);
 }
 
 }  // namespace
@@ -111,8 +114,7 @@ Reading reading_of(std::string const& file) {
     if (reading.in_place) settle_starts(reading);
     remark_on_strokes(reading);
     if (walk.elements().met_gradients())
-        reading.level.remarks.push_back(
-            {document.line_of(document.root()), "svg: gradients are shown as their mean colour"});
+        remark(reading.level, document.line_of(document.root()), "svg: gradients are shown as their mean colour");
     return reading;
 }
 

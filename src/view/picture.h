@@ -74,7 +74,7 @@ struct Shell {
     double angle = 0;           // rad
     int livery = 0;             // which pair of colours, 0 = the player's
     Vec2 light = {-0.5, -0.8};  // towards the light, on the screen
-    std::optional<Livery> own;  // in place of that pair
+    std::optional<Livery> own = std::nullopt;  // in place of that pair
 };
 
 enum class Anchor { Left, Centre, Right };
