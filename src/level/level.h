@@ -29,7 +29,8 @@ struct Decoration {
     double opacity = 1;
 };
 
-// The colours that the drawing gives a ball or a goal, as in Decoration; what it leaves open is the program's to choose.
+// The colours that the drawing gives a ball or a goal, as in Decoration; what it leaves open is the program's to
+// choose.
 struct Tint {
     std::optional<std::string> fill, stroke;
 };
@@ -60,7 +61,7 @@ struct Level {
     std::vector<Tint> ball_tints;            // by ball
     std::vector<Tint> sensor_tints;          // by sensor, of goals
     std::vector<Finding> remarks;            // on what looks otherwise than it is; check prints them as notes
-    std::vector<Finding> misspellings;  // classes a letter away from a role, of which every command warns
+    std::vector<Finding> misspellings;       // classes a letter away from a role, of which every command warns
 };
 
 // Throws std::runtime_error("file:line: element: what") for the first fault (formats.md section 3).

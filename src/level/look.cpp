@@ -36,8 +36,8 @@ std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Sty
     auto const fill = paints.paint_in(style.fill.empty() ? "black" : style.fill, style.color);
     auto const stroke = paints.paint_in(style.stroke.empty() ? "none" : style.stroke, style.color);
     if (fill)
-        parts.push_back({outlines, fill->colour, std::nullopt, 0,
-                         style.opacity * fill->opacity * share_in(style.fill_opacity, 1)});
+        parts.push_back(
+            {outlines, fill->colour, std::nullopt, 0, style.opacity * fill->opacity * share_in(style.fill_opacity, 1)});
     double const width = stroke ? width_in(style.stroke_width) * metres_per_unit : 0;
     if (width > 0)
         parts.push_back({outlines, std::nullopt, stroke->colour, width,

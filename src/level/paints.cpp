@@ -81,8 +81,7 @@ std::optional<Paint> Paints::mean_of(std::string const& id) {
         for (pugi::xml_node const child : node.children()) {
             if (Document::tag_of(child) != "stop") continue;
             Style const style = styles_.of(child, Style{});
-            auto const colour =
-                colour_in(same_word(style.stop_color, "currentcolor") ? style.color : style.stop_color);
+            auto const colour = colour_in(same_word(style.stop_color, "currentcolor") ? style.color : style.stop_color);
             double const least = stops.empty() ? 0 : stops.back().share;
             double const offset = share_in(child.attribute("offset").value(), 0);
             stops.push_back({std::max(is_radial ? offset * offset : offset, least),

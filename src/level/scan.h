@@ -16,8 +16,8 @@ struct Objection {
     std::string what;           // "element: what"
 };
 
-// The first reason not to read on: a DOCTYPE that declares entities, too many elements or attributes, text or a second element
-// outside the root, a tag without end, a NUL byte. A text without objection may still not be XML.
+// The first reason not to read on: a DOCTYPE that declares entities, too many elements or attributes, text or a second
+// element outside the root, a tag without end, a NUL byte. A text without objection may still not be XML.
 std::optional<Objection> objection_to(std::string_view text);
 
 }  // namespace level

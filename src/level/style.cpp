@@ -14,15 +14,15 @@ struct Text {
     std::string_view Style::*value;
 };
 constexpr Text texts[] = {{"fill", &Style::fill},
-                                    {"stroke", &Style::stroke},
-                                    {"stroke-width", &Style::stroke_width},
-                                    {"fill-opacity", &Style::fill_opacity},
-                                    {"stroke-opacity", &Style::stroke_opacity},
-                                    {"fill-rule", &Style::fill_rule},
-                                    {"visibility", &Style::visibility},
-                                    {"color", &Style::color},
-                                    {"stop-color", &Style::stop_color},
-                                    {"stop-opacity", &Style::stop_opacity}};
+                          {"stroke", &Style::stroke},
+                          {"stroke-width", &Style::stroke_width},
+                          {"fill-opacity", &Style::fill_opacity},
+                          {"stroke-opacity", &Style::stroke_opacity},
+                          {"fill-rule", &Style::fill_rule},
+                          {"visibility", &Style::visibility},
+                          {"color", &Style::color},
+                          {"stop-color", &Style::stop_color},
+                          {"stop-opacity", &Style::stop_opacity}};
 
 struct Place {
     std::string_view name;

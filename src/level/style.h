@@ -21,9 +21,9 @@ struct Style {
     std::string_view stroke_width = "1", fill_opacity = "1", stroke_opacity = "1", fill_rule = "nonzero",
                      visibility = "visible", color = "black";
     std::string_view stop_color, stop_opacity;  // of a gradient's stop, not inherited
-    double opacity = 1;    // of the element and all groups that hold it
-    bool hidden = false;   // display none
-    bool clipped = false;  // by a clip path or mask, its own or of a group that holds it
+    double opacity = 1;                         // of the element and all groups that hold it
+    bool hidden = false;                        // display none
+    bool clipped = false;                       // by a clip path or mask, its own or of a group that holds it
     Placement placement;
     std::string_view geometry;  // a property such as cx or d by which a sheet would change a shape, or empty
 };

@@ -129,7 +129,8 @@ void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera 
 void add_decoration(std::vector<Shape>& shapes, level::Decoration const& decoration, Camera const& camera) {
     if (decoration.fill) {
         Area area;
-        area.paint.top = area.paint.bottom = faded(drawn_colour(*decoration.fill), static_cast<float>(decoration.opacity));
+        area.paint.top = area.paint.bottom =
+            faded(drawn_colour(*decoration.fill), static_cast<float>(decoration.opacity));
         for (level::Outline const& outline : decoration.outlines) {
             std::vector<Vec2>& ring = area.rings.emplace_back();
             for (Vec2 const& point : points_along(outline, 1e9)) ring.push_back(pixel_of(camera, point));

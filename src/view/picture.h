@@ -71,9 +71,9 @@ struct Livery {
 struct Shell {
     Vec2 centre = Vec2::Zero();
     double radius = 0;
-    double angle = 0;           // rad
-    int livery = 0;             // which pair of colours, 0 = the player's
-    Vec2 light = {-0.5, -0.8};  // towards the light, on the screen
+    double angle = 0;                          // rad
+    int livery = 0;                            // which pair of colours, 0 = the player's
+    Vec2 light = {-0.5, -0.8};                 // towards the light, on the screen
     std::optional<Livery> own = std::nullopt;  // in place of that pair
 };
 

@@ -24,7 +24,8 @@ std::string painted(std::string const& third_line) {
 bool has_grass(std::string const& third_line) { return !read(with(third_line)).outlines.at(0).painted; }
 
 std::string ball_colours(std::string const& attributes, std::string const& before = "") {
-    auto const level = read("<svg viewBox='-9 -9 16 9'>" + before + "<circle class='ball' r='1' " + attributes + "/></svg>");
+    auto const level =
+        read("<svg viewBox='-9 -9 16 9'>" + before + "<circle class='ball' r='1' " + attributes + "/></svg>");
     level::Tint const& tint = level.ball_tints.at(0);
     return tint.fill.value_or("-") + " " + tint.stroke.value_or("-");
 }
@@ -84,7 +85,8 @@ TEST_CASE("a gradient stands for its mean colour") {
              "stop-opacity='0'/></linearGradient>") == "#ff0000/none/0/0.5");
     CHECK(of("<linearGradient id='a' href='#b'/><linearGradient id='b' href='#a'/>") == "");
     CHECK(painted("<path class='terrain' fill='url(#none) #abc' " + earth + "/>") == "#aabbcc/none/0/1");
-    auto const level = read(with("<radialGradient id='a'>" + stops + "</radialGradient><rect fill='url(#a)' width='1' "
+    auto const level = read(with("<radialGradient id='a'>" + stops +
+                                 "</radialGradient><rect fill='url(#a)' width='1' "
                                  "height='1'/>"));
     REQUIRE(level.remarks.size() == 1);
     CHECK(level.remarks[0].text == "svg: gradients are shown as their mean colour");
@@ -104,7 +106,8 @@ TEST_CASE("balls and goals have the drawing's colours") {
 
 TEST_CASE("a stroke wider than 2 % of the ball is remarked on") {
     auto const remarks = [](std::string const& width, std::string const& more = "") {
-        auto const level = read(with("<path class='terrain' stroke='red' stroke-width='" + width + "' " + earth + "/>\n" + more));
+        auto const level =
+            read(with("<path class='terrain' stroke='red' stroke-width='" + width + "' " + earth + "/>\n" + more));
         return level.remarks.empty() ? "" : std::to_string(level.remarks[0].line) + ": " + level.remarks[0].text;
     };
     CHECK(remarks("0.02") == "");  // the ball is 1 m across
