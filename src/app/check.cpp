@@ -34,6 +34,8 @@ std::string clause_of(physics::Reason const& reason, level::Level const& level) 
 std::vector<std::string> notes_on(std::string const& file, game::MethodWish const& wish) {
     std::vector<std::string> notes;
     level::Level const level = level::read_level(file);
+    for (level::Finding const& remark : level.remarks)
+        notes.push_back(file + ": note: line " + std::to_string(remark.line) + ": " + remark.text);
     for (std::string const& note : level::notes_on(level)) notes.push_back(file + ": note: " + note);
     for (physics::Reason const& reason : physics::needs_of(level.scene))
         notes.push_back(file + ": needs " + physics::name_of(reason.need) + ": " + clause_of(reason, level));

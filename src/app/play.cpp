@@ -73,6 +73,10 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
             if (listen(event, game, tour, window) == Wish::quit) return;
         fit(game, window);
         double const now = seconds_now();
+        if (follow_file(game, now - last)) {
+            window.release_pointer();
+            window.retitle(title_of(game));
+        }
         pass(game, now - last);
         scrub_by_keys(game, now - last);
         last = now;

@@ -113,20 +113,34 @@ PlayGame game_of(std::string const& file, game::MethodWish const& wish) {
     game.file = file;
     game.wish = wish;
     Opened const opening = opened(file);
+    game.watch.read = stamp_of(opening.level->file);
     game.stage = std::make_shared<view::Stage const>(view::stage_of(*opening.level));
     open_session(game, opening);
     return game;
 }
 
+namespace {
+
+// Another game, looked at as the one before.
+void adopt(PlayGame& game, PlayGame other) {
+    other.pace.speed = game.pace.speed;
+    other.size = game.size;
+    other.overlays = game.overlays;
+    other.lean = game.lean;
+    game = std::move(other);
+}
+
+// Without the folders, which the player knows.
+std::string brief(std::string const& message, std::string const& file) {
+    if (message.substr(0, file.size()) != file) return message;
+    return std::filesystem::path(file).filename().string() + message.substr(file.size());
+}
+
+}  // namespace
+
 void change_to(PlayGame& game, std::string const& file) {
     try {
-        PlayGame other = game_of(file, game.wish);
-        other.pace.speed = game.pace.speed;
-        other.size = game.size;
-        other.overlays = game.overlays;
-        other.lean = game.lean;
-        game = std::move(other);
-        game.toast = {};
+        adopt(game, game_of(file, game.wish));
     } catch (std::exception const& error) {
         say(game, error.what());
         note(std::string("smb2d: ") + error.what());
@@ -137,6 +151,22 @@ void restart(PlayGame& game) {
     view::Lens const lens = game.lens;
     change_to(game, game.file);
     game.lens = lens;
+}
+
+bool follow_file(PlayGame& game, double elapsed) {
+    std::string const file = game.stage->level.file;
+    if (!is_saved_anew(game.watch, file, elapsed)) return false;
+    try {
+        view::Lens const lens = game.lens;
+        adopt(game, game_of(game.file, game.wish));
+        game.lens = lens;
+        say(game, "Read anew");
+        return true;
+    } catch (std::exception const& error) {
+        game.fault = brief(error.what(), file);
+        note(std::string("smb2d: ") + error.what());
+        return false;
+    }
 }
 
 void change_method(PlayGame& game) {

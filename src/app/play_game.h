@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file_watch.h"
 #include "app/opening.h"
 #include "game/pace.h"
 #include "game/session.h"
@@ -25,6 +26,8 @@ struct Toast {
 struct PlayGame {
     std::string file;       // the level or run that was asked for
     game::MethodWish wish;  // of the command line, or of the key that changes the method
+    FileWatch watch;        // of the level's file
+    std::string fault;      // of that file as it was last saved, while the level that was read before plays on
     std::shared_ptr<view::Stage const> stage;
     game::Session session;
     game::Pace pace;
@@ -50,6 +53,9 @@ PlayGame game_of(std::string const& file, game::MethodWish const& wish);
 void restart(PlayGame& game);
 // Another level or run, looked at as before. Says so in a toast when it cannot be opened, and stays.
 void change_to(PlayGame& game, std::string const& file);
+// Reads the level anew when its file has been saved, and begins it; whether it did. What is wrong with the file is told
+// until it is mended. `elapsed` seconds have passed on the wall.
+bool follow_file(PlayGame& game, double elapsed);
 // The next method, from the beginning of the level.
 void change_method(PlayGame& game);
 

@@ -85,7 +85,9 @@ view::Picture picture_of(PlayGame const& game) {
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
     if (game.looked_at) add(view::timeline_shapes(timeline_of(game), game.size));
-    add(view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));
+    bool const in_fault = !game.fault.empty() && game.toast.left <= 0;
+    add(in_fault ? view::toast_shapes(game.fault, 1, game.size)
+                 : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));
     if (game.help) add(view::help_shapes(key_help(), game.size));
     return picture;
 }

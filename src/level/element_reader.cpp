@@ -6,6 +6,7 @@
 #include "level/goal.h"
 #include "level/inside.h"
 #include "level/limits.h"
+#include "level/look.h"
 #include "level/numbers.h"
 #include "level/outlines.h"
 #include "level/round.h"
@@ -76,6 +77,7 @@ void Elements::read(pugi::xml_node node, std::string_view tag, Context const& co
     if (roles.size() > 1)
         return fault(element, std::string("has two roles, ") + name_of(roles[0]) + " and " + name_of(roles[1]));
     if (!is_shape(tag)) return fault(element, quoted(tag) + " cannot be " + name_of(*role) + what_to_do_with(tag));
+    if (is_overfull() && role != Role::ball) return;
     inspect_data(element, *role);
     inspect_look(element);
     try {
@@ -137,7 +139,7 @@ double Elements::tolerance(Element const& element) { return number(element, Data
 Traced Elements::traced_within_limits(Element const& element, Shape const& shape) {
     Traced result = traced(shape, element.context.to_world, tolerance(element));
     for (Outline const& outline : result.outlines) pieces_met_ += outline.curves.size();
-    if (pieces_met_ > most_pieces) throw Broken("all shapes together must have at most 1000000 pieces");
+    if (is_overfull()) throw Broken("all shapes together must have at most 1000000 pieces");
     return result;
 }
 
@@ -161,11 +163,34 @@ void Elements::read_terrain(Element const& element) {
     bool const filled = trimmed(element.context.style.fill) != "none";
     reading_.surfaces.push_back(
         {element.line, static_cast<int>(outlines.size()), static_cast<int>(traced_shape.outlines.size()), filled});
+    paint_terrain(element, traced_shape.outlines);
     std::string const id(element.context.id);
     reading_.level.surface_names.push_back(id.empty() ? std::to_string(surface) : id);
+    grass_met_ = grass_met_ || (!traced_shape.outlines.empty() && !traced_shape.outlines[0].painted);
     for (Outline& outline : traced_shape.outlines) {
         for (geometry::Curve const& curve : outline.curves) pieces_.push_back({curve, material, surface});
         outlines.push_back(std::move(outline));
+    }
+}
+
+// Terrain keeps the paint that the drawing gives it. Where that is none, or none that is known, it gets grass and soil
+// rather than to be met unseen.
+void Elements::paint_terrain(Element const& element, std::vector<Outline>& outlines) {
+    Style style = element.context.style;
+    bool const given = !style.fill.empty() || !style.stroke.empty();
+    bool const unseen = !same_word(style.visibility, "visible") || style.opacity <= 0;
+    if (!unseen && (!given || element.context.grass)) return;
+    if (element.tag == "line") style.fill = "none";
+    try {
+        auto const parts = decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
+        if (parts.empty() && !unseen) return;
+        for (Outline& outline : outlines) outline.painted = true;
+        if (grass_met_ && !reading_.level.in_front) reading_.level.in_front = reading_.level.decorations.size();
+        double& stroke_width = reading_.surfaces.back().stroke_width;
+        for (Decoration const& part : parts) stroke_width = std::max(stroke_width, part.stroke_width);
+        reading_.level.decorations.insert(reading_.level.decorations.end(), parts.begin(), parts.end());
+    } catch (Unsupported const& unsupported) {
+        warn(element, std::string("is shown as grass and soil: ") + unsupported.what());
     }
 }
 
@@ -195,20 +220,22 @@ void Elements::read_ball(Element const& element) {
     if (element.context.id == "player") players.push_back(static_cast<int>(reading_.level.scene.balls.size()));
     reading_.level.scene.balls.push_back(ball);
     reading_.ball_lines.push_back(element.line);
+    reading_.level.ball_tints.push_back(tint_of(element.context.style, paints_));
 }
 
-void Elements::add_sensor(physics::Sensor sensor, Meaning meaning, int line) {
+void Elements::add_sensor(Element const& element, physics::Sensor sensor, Meaning meaning) {
     reading_.level.scene.sensors.push_back(std::move(sensor));
     reading_.level.meanings.push_back(meaning);
     reading_.level.sensor_elements.push_back(sensor_elements_);
-    reading_.sensor_lines.push_back(line);
+    reading_.level.sensor_tints.push_back(tint_of(element.context.style, paints_));
+    reading_.sensor_lines.push_back(element.line);
 }
 
 void Elements::read_banana(Element const& element) {
     physics::Sensor sensor;
     sensor.region = disc(element);
     sensor.rim = true;
-    add_sensor(sensor, Meaning::banana, element.line);
+    add_sensor(element, sensor, Meaning::banana);
     ++sensor_elements_;
 }
 
@@ -218,7 +245,7 @@ void Elements::read_goal(Element const& element) {
     for (physics::Region const& region : regions) {
         physics::Sensor sensor;
         sensor.region = region;
-        add_sensor(sensor, Meaning::goal, element.line);
+        add_sensor(element, sensor, Meaning::goal);
     }
     ++sensor_elements_;
 }
@@ -231,7 +258,7 @@ void Elements::read_decoration(Element const& element) {
         Style style = element.context.style;
         if (element.tag == "line") style.fill = "none";
         auto const traced_shape = traced_within_limits(element, shape_of(element.node, element.tag));
-        for (Decoration const& part : decorations_of(traced_shape.outlines, style, scale_of(map)))
+        for (Decoration const& part : decorations_of(traced_shape.outlines, style, scale_of(map), paints_))
             reading_.level.decorations.push_back(part);
     } catch (Unsupported const& unsupported) {
         warn(element, std::string("is ignored: ") + unsupported.what());

@@ -8,7 +8,9 @@
 
 #include "level/attributes.h"
 #include "level/document.h"
+#include "level/limits.h"
 #include "level/outlines.h"
+#include "level/paints.h"
 #include "level/reading.h"
 #include "level/style.h"
 #include "level/transform.h"
@@ -24,6 +26,7 @@ struct Context {
     Inherited inherited;
     Style style;
     std::optional<Role> role;            // of the nearest group that has one
+    bool grass = false;                  // terrain is asked to be grass and soil, however it is painted
     ReferenceBox viewport;               // what per cent are of
     std::optional<geometry::Box> shown;  // m, what a nested svg shows of it
     Copy copy = Copy::none;
@@ -32,7 +35,8 @@ struct Context {
 
 class Elements {
 public:
-    Elements(Document const& document, Reading& reading) : document_(document), reading_(reading) {}
+    Elements(Document const& document, Reading& reading, Styles& styles)
+        : document_(document), reading_(reading), paints_(document.root(), styles) {}
 
     // Faults of a group's, or the root's, own attributes.
     void inspect_group(pugi::xml_node node, std::string_view tag);
@@ -50,6 +54,8 @@ public:
     // How findings name an element: by its role, else by its tag.
     std::string label(pugi::xml_node node, std::string_view tag) const;
 
+    bool is_overfull() const { return pieces_met_ > most_pieces; }  // no terrain is to be made of what was read
+    bool met_gradients() const { return paints_.met_gradients(); }
     int balls_met() const { return balls_met_; }                  // sound or not
     std::vector<int> const& players() const { return players_; }  // balls with the id player
     std::vector<int> const& copied_players() const { return copied_players_; }
@@ -71,6 +77,7 @@ private:
     void inspect_data(Element const& element, Role role);
     void read_role(Element const& element, Role role);
     void read_terrain(Element const& element);
+    void paint_terrain(Element const& element, std::vector<Outline>& outlines);
     void read_ball(Element const& element);
     void read_banana(Element const& element);
     void read_goal(Element const& element);
@@ -81,7 +88,7 @@ private:
     Vec2 velocity(Element const& element);
     double tolerance(Element const& element);
     Traced traced_within_limits(Element const& element, Shape const& shape);
-    void add_sensor(physics::Sensor sensor, Meaning meaning, int line);
+    void add_sensor(Element const& element, physics::Sensor sensor, Meaning meaning);
     void fault(Element const& element, std::string const& what) {
         reading_.report.fault(element.line, element.label + ": " + what);
     }
@@ -92,10 +99,12 @@ private:
 
     Document const& document_;
     Reading& reading_;
+    Paints paints_;
     std::vector<physics::Piece> pieces_;
     std::vector<int> players_, copied_players_;
     std::size_t pieces_met_ = 0;
     int balls_met_ = 0, sensor_elements_ = 0;
+    bool grass_met_ = false;  // terrain that the drawing does not paint itself
 };
 
 }  // namespace level

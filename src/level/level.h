@@ -17,15 +17,22 @@ enum class Meaning { goal, banana, fall };
 struct Outline {
     std::vector<geometry::Curve> curves;  // end to start
     bool closed = false;
+    bool painted = false;  // of terrain that the drawing paints itself: no grass and no soil
 };
 
-// Drawn behind the scene and otherwise without effect.
+// What the drawing paints itself: drawn behind the scene and otherwise without effect.
 struct Decoration {
     std::vector<Outline> outlines;
     std::optional<std::string> fill;    // a CSS colour as #rrggbb, none = not filled
     std::optional<std::string> stroke;  // the same
     double stroke_width = 0;            // m
     double opacity = 1;
+};
+
+// The colours that the drawing gives a ball or a goal, as in Decoration; what it leaves open is the program's to
+// choose.
+struct Tint {
+    std::optional<std::string> fill, stroke;
 };
 
 struct Finding {
@@ -49,8 +56,12 @@ struct Level {
     double drag_reach = 4;                   // m
     double tilt_limit = 0.4;                 // rad
     std::vector<Outline> outlines;           // of the terrain
-    std::vector<Decoration> decorations;
-    std::vector<Finding> misspellings;  // classes a letter away from a role, of which every command warns
+    std::vector<Decoration> decorations;     // and terrain that the drawing paints, in the order of the file
+    std::optional<std::size_t> in_front;     // of grass and soil: the decorations from this one on
+    std::vector<Tint> ball_tints;            // by ball
+    std::vector<Tint> sensor_tints;          // by sensor, of goals
+    std::vector<Finding> remarks;            // on what looks otherwise than it is; check prints them as notes
+    std::vector<Finding> misspellings;       // classes a letter away from a role, of which every command warns
 };
 
 // Throws std::runtime_error("file:line: element: what") for the first fault (formats.md section 3).

@@ -69,6 +69,27 @@ void settle_starts(Reading& reading) {
                              "ball: does not fit between what it touches: moved out, it " + overlap_in_words(left));
 }
 
+void remark(Level& level, int line, std::string text) { level.remarks.push_back({line, std::move(text), false}); }
+
+// What balls touch is the middle of a stroke: a wide one looks as if they sank into it.
+void remark_on_strokes(Reading& reading) {
+    constexpr double widest = 0.02;  // of the ball's diameter
+    if (reading.ball_lines.empty()) return;
+    Level& level = reading.level;
+    double const across = 2 * level.scene.balls[static_cast<std::size_t>(level.player)].radius;
+    Surface const* first = nullptr;
+    int wide = 0;
+    for (Surface const& surface : reading.surfaces) {
+        if (surface.stroke_width <= widest * across) continue;
+        if (++wide == 1) first = &surface;
+    }
+    if (wide == 0) return;
+    std::string const more = wide > 1 ? ", and " + std::to_string(wide - 1) + " more" : "";
+    remark(level, first->line,
+           "terrain: a stroke of " + shown(first->stroke_width) +
+               " m is wider than 2 % of the ball, which touches its middle" + more);
+}
+
 }  // namespace
 
 Reading reading_of(std::string const& file) {
@@ -88,8 +109,12 @@ Reading reading_of(std::string const& file) {
     Walk walk(document, frame.value_or(Frame{}), reading);
     choose_player(reading, walk.elements(), document.line_of(document.root()));
     add_fall(reading.level);
-    reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
+    if (walk.elements().is_overfull()) reading.in_place = false;
+    if (reading.in_place) reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
     if (reading.in_place) settle_starts(reading);
+    remark_on_strokes(reading);
+    if (walk.elements().met_gradients())
+        remark(reading.level, document.line_of(document.root()), "svg: gradients are shown as their mean colour");
     return reading;
 }
 

@@ -14,6 +14,7 @@ struct Surface {
     int line = 0;
     int first_outline = 0, outlines = 0;  // in Level::outlines
     bool filled = false;                  // it is drawn with its inside painted
+    double stroke_width = 0;              // m, as painted by the drawing
 };
 
 struct Reading {
@@ -22,7 +23,7 @@ struct Reading {
     std::vector<int> ball_lines;    // by ball
     std::vector<int> sensor_lines;  // by sensor, without the last, which is the rim of the world
     Report report;
-    bool in_place = true;  // false where a broken transform or frame leaves open where things are
+    bool in_place = true;  // false where a broken transform or frame, or too much of it, leaves open what is where
 };
 
 // Throws std::runtime_error where the file cannot be opened; all else that is wrong is in the report.

@@ -48,6 +48,12 @@ std::vector<Role> roles_in(std::string_view class_words) {
     return roles;
 }
 
+bool asks_for_grass(std::string_view class_words) {
+    for (std::string_view const word : words_of(class_words))
+        if (word == "grass") return true;
+    return false;
+}
+
 std::optional<Role> near_miss(std::string_view word) {
     for (Role const role : every_role)
         if (word == name_of(role)) return std::nullopt;

@@ -15,6 +15,9 @@ char const* name_of(Role role);
 // The roles among the words of a class attribute, each once, in their order.
 std::vector<Role> roles_in(std::string_view class_words);
 
+// Whether a class attribute has the word by which terrain is grass and soil, however it is painted.
+bool asks_for_grass(std::string_view class_words);
+
 // The role that a word misses by one letter: one too many, too few, wrong, or two neighbours exchanged.
 std::optional<Role> near_miss(std::string_view word);
 

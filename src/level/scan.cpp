@@ -103,6 +103,10 @@ private:
             if (c != '"' && c != '\'') continue;
             std::size_t const end = text_.find(c, i + 1);
             if (end == nowhere) break;
+            if (++attributes_ > most_attributes) {
+                object(i, "a level must have at most 1000000 attributes");
+                return i;
+            }
             if (auto const inside = text_.substr(i, end - i).find('<'); inside != nowhere) {
                 object(i + inside, "not XML: < in the value of an attribute");
                 return i;
@@ -115,7 +119,7 @@ private:
 
     std::string_view text_;
     std::size_t at_ = 0;
-    int depth_ = 0, roots_ = 0, elements_ = 0;
+    int depth_ = 0, roots_ = 0, elements_ = 0, attributes_ = 0;
     std::optional<Objection> found_;
 };
 

@@ -8,15 +8,16 @@
 
 namespace level {
 
-inline constexpr int most_elements = 100'000;  // formats.md section 3
+inline constexpr int most_elements = 100'000;      // formats.md section 3
+inline constexpr int most_attributes = 1'000'000;  // of all elements together, which else take ten times the file
 
 struct Objection {
     std::ptrdiff_t offset = 0;  // in the text
     std::string what;           // "element: what"
 };
 
-// The first reason not to read on: a DOCTYPE that declares entities, too many elements, text or a second element
-// outside the root, a tag without end, a NUL byte. A text without objection may still not be XML.
+// The first reason not to read on: a DOCTYPE that declares entities, too many elements or attributes, text or a second
+// element outside the root, a tag without end, a NUL byte. A text without objection may still not be XML.
 std::optional<Objection> objection_to(std::string_view text);
 
 }  // namespace level

@@ -1,9 +1,7 @@
 #include "level/style.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "level/colours.h"
 #include "level/faults.h"
 #include "level/numbers.h"
 
@@ -11,28 +9,20 @@ namespace level {
 
 namespace {
 
-// A number from 0 to 1, perhaps in per cent; anything else is 1, as if it were not there.
-double opacity_in(std::string_view text) {
-    text = trimmed(text);
-    bool const per_cent = !text.empty() && text.back() == '%';
-    if (per_cent) text.remove_suffix(1);
-    Parsed const parsed = parsed_number(text);
-    if (parsed.syntax != Syntax::good) return 1;
-    return std::clamp(per_cent ? parsed.value / 100 : parsed.value, 0.0, 1.0);
-}
-
 struct Text {
     std::string_view name;
     std::string_view Style::*value;
 };
-constexpr Text inherited_texts[] = {{"fill", &Style::fill},
-                                    {"stroke", &Style::stroke},
-                                    {"stroke-width", &Style::stroke_width},
-                                    {"fill-opacity", &Style::fill_opacity},
-                                    {"stroke-opacity", &Style::stroke_opacity},
-                                    {"fill-rule", &Style::fill_rule},
-                                    {"visibility", &Style::visibility},
-                                    {"color", &Style::color}};
+constexpr Text texts[] = {{"fill", &Style::fill},
+                          {"stroke", &Style::stroke},
+                          {"stroke-width", &Style::stroke_width},
+                          {"fill-opacity", &Style::fill_opacity},
+                          {"stroke-opacity", &Style::stroke_opacity},
+                          {"fill-rule", &Style::fill_rule},
+                          {"visibility", &Style::visibility},
+                          {"color", &Style::color},
+                          {"stop-color", &Style::stop_color},
+                          {"stop-opacity", &Style::stop_opacity}};
 
 struct Place {
     std::string_view name;
@@ -63,11 +53,11 @@ struct Own {
 
 void apply(Style& style, Own& own, std::string_view name, std::string_view value) {
     if (value.empty() || same_word(value, "inherit")) return;
-    for (Text const& text : inherited_texts)
+    for (Text const& text : texts)
         if (same_word(name, text.name)) style.*text.value = value;
     for (Place const& place : places)
         if (same_word(name, place.name)) style.placement.*place.value = value;
-    if (same_word(name, "opacity")) own.opacity = opacity_in(value);
+    if (same_word(name, "opacity")) own.opacity = share_in(value, 1);
     if (same_word(name, "display") && is_display(value)) style.hidden = same_word(value, "none");
     if (same_word(name, "clip-path")) own.clipped = !same_word(value, "none");
     if (same_word(name, "mask")) own.masked = !same_word(value, "none");
@@ -76,21 +66,22 @@ void apply(Style& style, Own& own, std::string_view name, std::string_view value
 // Attributes of these names are no properties, but a tooltip, a label or an animation's.
 bool is_property_only(std::string_view name) { return name == "translate" || name == "rotate" || name == "scale"; }
 
-double width_in(std::string_view text) {
-    text = trimmed(text);
-    if (text.size() > 2 && text.substr(text.size() - 2) == "px") text.remove_suffix(2);
-    Parsed const parsed = parsed_number(text);
-    if (parsed.syntax != Syntax::good || parsed.value < 0) throw Unsupported("stroke-width " + quoted(text));
-    return parsed.value;
-}
-
 }  // namespace
+
+double share_in(std::string_view text, double otherwise) {
+    text = trimmed(text);
+    bool const per_cent = !text.empty() && text.back() == '%';
+    if (per_cent) text.remove_suffix(1);
+    Parsed const parsed = parsed_number(text);
+    if (parsed.syntax != Syntax::good) return otherwise;
+    return std::clamp(per_cent ? parsed.value / 100 : parsed.value, 0.0, 1.0);
+}
 
 bool is_understood(std::string_view property) {
     auto const is_it = [&](auto const& known) { return same_word(property, known.name); };
     auto const is_word = [&](std::string_view word) { return same_word(property, word); };
     constexpr std::string_view own[] = {"opacity", "display", "clip-path", "mask"};
-    return std::any_of(std::begin(inherited_texts), std::end(inherited_texts), is_it) ||
+    return std::any_of(std::begin(texts), std::end(texts), is_it) ||
            std::any_of(std::begin(places), std::end(places), is_it) ||
            std::any_of(std::begin(geometry_properties), std::end(geometry_properties), is_word) ||
            std::any_of(std::begin(own), std::end(own), is_word);
@@ -104,6 +95,7 @@ Style Styles::of(pugi::xml_node node, Style const& from_above) {
     Style style = from_above;
     style.placement = {};
     style.geometry = {};
+    style.stop_color = style.stop_opacity = {};
     Own own;
     std::string_view css;
     for (pugi::xml_attribute const attribute : node.attributes()) {
@@ -111,6 +103,7 @@ Style Styles::of(pugi::xml_node node, Style const& from_above) {
         if (name == "style") css = attribute.value();
         if (!is_property_only(name)) apply(style, own, name, trimmed(attribute.value()));
     }
+    if (css.size() > largest_sheet) css = {};  // a fault that the walk reports
     // The style attribute outranks the sheets, and these the attributes; what is important outranks what is not.
     std::vector<Declaration> declarations;
     if (!sheet_.empty()) declarations = sheet_.declarations_for(node);
@@ -125,28 +118,6 @@ Style Styles::of(pugi::xml_node node, Style const& from_above) {
     style.opacity *= own.opacity;
     style.clipped = style.clipped || own.clipped || own.masked;
     return style;
-}
-
-std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style,
-                                       double metres_per_unit) {
-    std::vector<Decoration> parts;
-    if (!same_word(style.visibility, "visible") || outlines.empty()) return parts;
-    auto const colour = [&](std::string_view paint) {
-        return colour_in(same_word(paint, "currentcolor") ? style.color : paint);
-    };
-    auto const fill = colour(style.fill), stroke = colour(style.stroke);
-    if (fill) parts.push_back({outlines, fill, std::nullopt, 0, style.opacity * opacity_in(style.fill_opacity)});
-    double const width = stroke ? width_in(style.stroke_width) * metres_per_unit : 0;
-    if (width > 0)
-        parts.push_back({outlines, std::nullopt, stroke, width, style.opacity * opacity_in(style.stroke_opacity)});
-    bool const one_part = parts.size() == 2 && parts[0].opacity == parts[1].opacity;
-    if (one_part) {
-        parts[0].stroke = stroke;
-        parts[0].stroke_width = width;
-        parts.pop_back();
-    }
-    std::erase_if(parts, [](Decoration const& part) { return part.opacity <= 0; });
-    return parts;
 }
 
 }  // namespace level

@@ -8,8 +8,6 @@
 #include <pugixml.hpp>
 
 #include "level/css.h"
-#include "level/level.h"
-#include "level/outlines.h"
 
 namespace level {
 
@@ -19,14 +17,19 @@ struct Placement {
 };
 
 struct Style {
-    std::string_view fill = "black", stroke = "none", stroke_width = "1", fill_opacity = "1", stroke_opacity = "1",
-                     fill_rule = "nonzero", visibility = "visible", color = "black";
-    double opacity = 1;    // of the element and all groups that hold it
-    bool hidden = false;   // display none
-    bool clipped = false;  // by a clip path or mask, its own or of a group that holds it
+    std::string_view fill, stroke;  // as given; empty where nothing is
+    std::string_view stroke_width = "1", fill_opacity = "1", stroke_opacity = "1", fill_rule = "nonzero",
+                     visibility = "visible", color = "black";
+    std::string_view stop_color, stop_opacity;  // of a gradient's stop, not inherited
+    double opacity = 1;                         // of the element and all groups that hold it
+    bool hidden = false;                        // display none
+    bool clipped = false;                       // by a clip path or mask, its own or of a group that holds it
     Placement placement;
     std::string_view geometry;  // a property such as cx or d by which a sheet would change a shape, or empty
 };
+
+// A number from 0 to 1, perhaps in per cent; `otherwise` where it is none.
+double share_in(std::string_view text, double otherwise);
 
 // Whether a property changes anything that this program shows or plays, in whatever case it is written.
 bool is_understood(std::string_view property);
@@ -45,10 +48,5 @@ private:
     Sheet sheet_;
     std::deque<std::string> texts_;
 };
-
-// The filled and the stroked part of a shape, at most one of each. Throws Unsupported for paint that is no plain
-// colour.
-std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style,
-                                       double metres_per_unit);
 
 }  // namespace level

@@ -53,7 +53,7 @@ bool is_text(pugi::xml_node node) { return node.type() == pugi::node_pcdata || n
 }  // namespace
 
 Walk::Walk(Document const& document, Frame const& frame, Reading& reading)
-    : document_(document), reading_(reading), styles_(read_sheets()), elements_(document, reading) {
+    : document_(document), reading_(reading), styles_(read_sheets()), elements_(document, reading, styles_) {
     pugi::xml_node const root = document.root();
     Context context;
     context.style = styles_.of(root, Style{});
@@ -63,6 +63,7 @@ Walk::Walk(Document const& document, Frame const& frame, Reading& reading)
     context.to_world = frame.to_world;
     context.viewport = frame.view_box;
     context.inherited = inherited_by(root, Inherited{});
+    context.grass = asks_for_grass(root.attribute("class").value());
     open_.insert(root.hash_value());
     branches_.push_back({root.first_child(), Siblings::all, std::move(context), {}, {}});
     for (pugi::xml_node node = root; node; node = next_within(node, root))
@@ -75,6 +76,8 @@ Sheet Walk::read_sheets() {
     std::size_t size = 0;
     for (pugi::xml_node node = document_.root(); node; node = next_within(node, document_.root())) {
         if (node.type() != pugi::node_element) continue;
+        if (std::string_view(node.attribute("style").value()).size() > largest_sheet)
+            fault(node, "a style must have at most 1 MB, got more");
         if (std::string_view(node.name()) == "style" && size <= largest_sheet) read_sheet(node, sheet, size);
     }
     return sheet;
@@ -123,6 +126,7 @@ void Walk::enter(pugi::xml_node node, Context const& above, pugi::xml_node use) 
     context.style = styles_.of(node, above.style);
     if (context.style.hidden) return;
     context.inherited = inherited_by(node, context.inherited);
+    context.grass = context.grass || asks_for_grass(node.attribute("class").value());
     context.to_world = composed(context.to_world, placement_of(node, tag, context));
     if (tag == "use") return enter_copy(node, std::move(context));
     if (is_group(tag) || shown_symbol) return enter_group(node, tag, std::move(context), use);

@@ -16,10 +16,7 @@ float narrow(double value) { return static_cast<float>(value); }
 // Half a pixel of anti-aliasing on each side, and a margin for rounding.
 constexpr double fringe = 1;  // pixels
 
-struct Livery {
-    Colour upper, lower;
-};
-constexpr std::array<Livery, 8> liveries{{
+constexpr std::array<view::Livery, 8> liveries{{
     {{0.96F, 0.26F, 0.21F}, {1.00F, 0.86F, 0.35F}},  // coral and honey: the player's
     {{0.16F, 0.45F, 0.93F}, {0.62F, 0.88F, 1.00F}},  // blue and ice
     {{0.13F, 0.66F, 0.33F}, {0.80F, 0.95F, 0.45F}},  // green and lime
@@ -166,7 +163,8 @@ void add_shape(Batch& batch, view::Panel const& panel) {
 void add_shape(Batch& batch, view::Shell const& shell) {
     if (!(shell.radius > 0)) return;
     auto const count = static_cast<int>(liveries.size());
-    Livery const& livery = liveries[static_cast<std::size_t>((shell.livery % count + count) % count)];
+    auto const& shared = liveries[static_cast<std::size_t>((shell.livery % count + count) % count)];
+    view::Livery const livery = shell.own.value_or(shared);
     double const brightness = geometry::length(shell.light), reach = shell.radius + fringe;
     Vec2 const light = brightness > 0 ? Vec2(shell.light / brightness) : Vec2(0, -1);
     Quad quad = coloured(livery.upper);

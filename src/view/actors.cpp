@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/drawn_colour.h"
 #include "view/palette.h"
 
 namespace view {
@@ -149,6 +150,16 @@ std::vector<Shape> shadow_shapes(level::Level const& level, Moment const& moment
     return shapes;
 }
 
+// A ball that the drawing paints keeps its colour: the other half of its shell is lighter.
+std::optional<Livery> own_livery(level::Level const& level, std::size_t ball) {
+    if (ball >= level.ball_tints.size()) return std::nullopt;
+    level::Tint const& tint = level.ball_tints[ball];
+    std::optional<std::string> const& given = tint.fill ? tint.fill : tint.stroke;
+    if (!given) return std::nullopt;
+    Colour const upper = drawn_colour(*given);
+    return Livery{upper, mixed(upper, colour(0xfff6e0), 0.55f)};
+}
+
 std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
     std::vector<Shape> shapes;
     int livery = 0;
@@ -162,6 +173,7 @@ std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, 
         shell.radius = radius * camera.scale;
         shell.angle = moment.balls[i].angle;
         shell.livery = player ? 0 : livery;
+        shell.own = own_livery(level, i);
         shapes.emplace_back(shell);
     }
     return shapes;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
+#include "view/drawn_colour.h"
 #include "view/palette.h"
 
 namespace view {
@@ -112,11 +112,6 @@ void add_hills(std::vector<Shape>& shapes, Distance const& distance) {
     }
 }
 
-Colour css_colour(std::string const& text, double opacity) {
-    unsigned long const rgb = text.size() == 7 ? std::strtoul(text.c_str() + 1, nullptr, 16) : 0x808080;
-    return colour(static_cast<std::uint32_t>(rgb), static_cast<float>(opacity));
-}
-
 void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera const& camera, double width,
               Colour const& paint) {
     for (geometry::Curve const& curve : outline.curves) {
@@ -134,7 +129,8 @@ void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera 
 void add_decoration(std::vector<Shape>& shapes, level::Decoration const& decoration, Camera const& camera) {
     if (decoration.fill) {
         Area area;
-        area.paint.top = area.paint.bottom = css_colour(*decoration.fill, decoration.opacity);
+        area.paint.top = area.paint.bottom =
+            faded(drawn_colour(*decoration.fill), static_cast<float>(decoration.opacity));
         for (level::Outline const& outline : decoration.outlines) {
             std::vector<Vec2>& ring = area.rings.emplace_back();
             for (Vec2 const& point : points_along(outline, 1e9)) ring.push_back(pixel_of(camera, point));
@@ -142,7 +138,7 @@ void add_decoration(std::vector<Shape>& shapes, level::Decoration const& decorat
         shapes.emplace_back(std::move(area));
     }
     if (!decoration.stroke || decoration.stroke_width <= 0) return;
-    Colour const paint = css_colour(*decoration.stroke, decoration.opacity);
+    Colour const paint = faded(drawn_colour(*decoration.stroke), static_cast<float>(decoration.opacity));
     for (level::Outline const& outline : decoration.outlines)
         add_line(shapes, outline, camera, decoration.stroke_width * camera.scale, paint);
 }
@@ -167,9 +163,14 @@ std::vector<Shape> backdrop_shapes(level::Level const& level, Ground const& grou
     add_sky(shapes, distance);
     add_hills(shapes, distance);
     geometry::Box const sight = sight_of(camera);
-    for (level::Decoration const& decoration : level.decorations)
-        if (in_sight(decoration, sight)) add_decoration(shapes, decoration, camera);
+    std::size_t const count = level.decorations.size(), in_front = std::min(level.in_front.value_or(count), count);
+    auto const add_decorations = [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i)
+            if (in_sight(level.decorations[i], sight)) add_decoration(shapes, level.decorations[i], camera);
+    };
+    add_decorations(0, in_front);
     for (Shape& shape : ground_shapes(ground, camera)) shapes.emplace_back(std::move(shape));
+    add_decorations(in_front, count);
     return shapes;
 }
 

@@ -15,6 +15,16 @@ constexpr double flatness = 0.0005;       // m: how far a chord may lie from its
 constexpr double grass_spacing = 0.12;    // m
 constexpr double ribbon_thickness = 0.3;  // m: the body of terrain that encloses nothing
 
+// Between points of an edge, m: fine enough for grass, and coarser where a drawing has so much of it that nobody sees
+// it grow.
+double spacing_for(level::Level const& level) {
+    constexpr double most_points = 200'000;
+    double length = 0;
+    for (level::Outline const& outline : level.outlines)
+        for (geometry::Curve const& curve : outline.curves) length += geometry::length_of(curve);
+    return std::max(grass_spacing, length / most_points);
+}
+
 void reverse_side(std::vector<Vec2>& left) {
     for (Vec2& v : left) v = -v;
 }
@@ -186,8 +196,10 @@ std::vector<Body> bodies_of(level::Level const& level) {
     std::vector<Body> bodies;
     std::vector<Ring> closed;
     OpenOutlines open;
+    double const spacing = spacing_for(level);
     for (level::Outline const& outline : level.outlines) {
-        Ring points = points_along(outline, grass_spacing);
+        if (outline.painted) continue;
+        Ring points = points_along(outline, spacing);
         if (points.size() < 2) continue;
         if (outline.closed && points.size() > 2)
             closed.push_back(std::move(points));

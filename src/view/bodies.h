@@ -17,8 +17,9 @@ struct Body {
     double girth = 1;         // m, how thick the earth is, roughly
 };
 
-// Closed outlines are solid, or holes in others, or, with the play inside, walls around it. Open ones are filled
-// below where they cross the level like a landscape, else they are the upper side of a thin wall.
+// Of the terrain that the drawing does not paint itself. Closed outlines are solid, or holes in others, or, with the
+// play inside, walls around it. Open ones are filled below where they cross the level like a landscape, else they are
+// the upper side of a thin wall.
 std::vector<Body> bodies_of(level::Level const& level);
 
 }  // namespace view

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "view/actors.h"
+#include "view/drawn_colour.h"
 #include "view/palette.h"
 
 namespace view {
@@ -13,7 +14,20 @@ constexpr double whole_turn = 2 * 3.14159265358979;
 struct Glow {
     double time = 0;     // s
     float strength = 1;  // brighter once it has been reached
+    Colour light = palette::gold;
+    Colour post = palette::gold, post_deep = palette::gold_deep;
 };
+
+// The drawing's fill is the goal's light, its stroke the posts; of one alone, both.
+Glow tinted(Glow glow, level::Tint const& tint) {
+    std::optional<std::string> const& fill = tint.fill ? tint.fill : tint.stroke;
+    std::optional<std::string> const& stroke = tint.stroke ? tint.stroke : tint.fill;
+    if (!fill || !stroke) return glow;
+    glow.light = drawn_colour(*fill);
+    glow.post = drawn_colour(*stroke);
+    glow.post_deep = mixed(glow.post, palette::ink, 0.4f);
+    return glow;
+}
 
 // A band of small squares, black and white, from one point to another, hanging to the given side.
 void add_checks(std::vector<Shape>& shapes, Vec2 const& from, Vec2 const& to, Vec2 const& side, double time) {
@@ -41,11 +55,11 @@ void add_checks(std::vector<Shape>& shapes, Vec2 const& from, Vec2 const& to, Ve
     shapes.emplace_back(std::move(checks));
 }
 
-void add_post(std::vector<Shape>& shapes, Vec2 const& foot, Vec2 const& head, double width) {
+void add_post(std::vector<Shape>& shapes, Vec2 const& foot, Vec2 const& head, double width, Glow const& glow) {
     Vec2 const aside(0.22 * width, 0);
-    shapes.emplace_back(Stroke{foot, head, width, palette::gold_deep});
-    shapes.emplace_back(Stroke{foot - aside, head - aside, 0.4 * width, palette::gold});
-    shapes.emplace_back(Disc{head, 0.85 * width, palette::gold, palette::gold_deep, 0.2 * width, 0});
+    shapes.emplace_back(Stroke{foot, head, width, glow.post_deep});
+    shapes.emplace_back(Stroke{foot - aside, head - aside, 0.4 * width, glow.post});
+    shapes.emplace_back(Disc{head, 0.85 * width, glow.post, glow.post_deep, 0.2 * width, 0});
 }
 
 void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const& camera, Glow const& glow) {
@@ -53,8 +67,8 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
     double const width = high.x() - low.x(), height = low.y() - high.y();
     Area light;
     light.rings = {{{low.x(), low.y()}, {high.x(), low.y()}, {high.x(), high.y()}, {low.x(), high.y()}}};
-    light.paint.top = faded(palette::gold, 0.08f * glow.strength);
-    light.paint.bottom = faded(palette::gold, 0.5f * glow.strength);
+    light.paint.top = faded(glow.light, 0.08f * glow.strength);
+    light.paint.bottom = faded(glow.light, 0.5f * glow.strength);
     light.paint.top_y = high.y();
     light.paint.bottom_y = low.y();
     shapes.emplace_back(std::move(light));
@@ -70,16 +84,16 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
     double const post = 0.11 * camera.scale;
     double const cloth = std::min(0.36 * camera.scale, 0.4 * height);
     add_checks(shapes, {low.x(), high.y()}, {high.x(), high.y()}, {0, cloth}, glow.time);
-    add_post(shapes, {low.x(), low.y()}, {low.x(), high.y()}, post);
-    add_post(shapes, {high.x(), low.y()}, {high.x(), high.y()}, post);
+    add_post(shapes, {low.x(), low.y()}, {low.x(), high.y()}, post, glow);
+    add_post(shapes, {high.x(), low.y()}, {high.x(), high.y()}, post, glow);
 }
 
 void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camera const& camera, Glow const& glow) {
     Vec2 const centre = pixel_of(camera, disc.centre);
     double const radius = disc.radius * camera.scale;
     double const width = std::min(0.12 * camera.scale, 0.3 * radius);
-    shapes.emplace_back(Disc{centre, radius, faded(palette::gold, 0.4f * glow.strength), {}, 0, 0.6 * radius});
-    shapes.emplace_back(ArcStroke{centre, radius, 0, whole_turn, width, palette::gold_deep});
+    shapes.emplace_back(Disc{centre, radius, faded(glow.light, 0.4f * glow.strength), {}, 0, 0.6 * radius});
+    shapes.emplace_back(ArcStroke{centre, radius, 0, whole_turn, width, glow.post_deep});
     for (int i = 0; i < 8; ++i) {
         double const from = i * whole_turn / 8 + 0.6 * glow.time;
         shapes.emplace_back(ArcStroke{centre, radius, from, whole_turn / 16, 0.7 * width, colour(0xffffff)});
@@ -91,7 +105,7 @@ void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camer
         double const angle = i * whole_turn / 10 - whole_turn / 4 + 0.15 * std::sin(1.3 * glow.time);
         ring.push_back(centre + (i % 2 == 0 ? 1.0 : 0.45) * star * Vec2(std::cos(angle), std::sin(angle)));
     }
-    area.paint.top = area.paint.bottom = palette::gold;
+    area.paint.top = area.paint.bottom = glow.post;
     shapes.emplace_back(std::move(area));
 }
 
@@ -99,18 +113,18 @@ void add_finish(std::vector<Shape>& shapes, physics::LineRegion const& line, Cam
     Vec2 from = pixel_of(camera, line.from), to = pixel_of(camera, line.to);
     if (from.y() < to.y()) std::swap(from, to);  // `to` is the upper end
     double const post = 0.1 * camera.scale;
-    shapes.emplace_back(Stroke{from, to, 3.5 * post, faded(palette::gold, 0.2f * glow.strength)});
+    shapes.emplace_back(Stroke{from, to, 3.5 * post, faded(glow.light, 0.2f * glow.strength)});
     Vec2 const way = to - from;
     bool const upright = std::abs(way.y()) > std::abs(way.x());
     if (!upright) {
         add_checks(shapes, from, to, {0, 0.27 * camera.scale}, 0);
-        add_post(shapes, from, from - Vec2(0, 0.15 * camera.scale), post);
-        add_post(shapes, to, to - Vec2(0, 0.15 * camera.scale), post);
+        add_post(shapes, from, from - Vec2(0, 0.15 * camera.scale), post, glow);
+        add_post(shapes, to, to - Vec2(0, 0.15 * camera.scale), post, glow);
         return;
     }
     double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * camera.scale, 0.6 * camera.scale);
     add_checks(shapes, to, to + Vec2(1.5 * flag, 0), {0, flag}, glow.time);
-    add_post(shapes, from, to, post);
+    add_post(shapes, from, to, post, glow);
 }
 
 bool are_one(level::Level const& level, std::size_t a, std::size_t b) {
@@ -134,7 +148,10 @@ std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, 
     std::vector<Shape> shapes;
     for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
         if (level.meanings[i] != level::Meaning::goal) continue;
-        Glow const glow{moment.time, has_fired(moment, i) ? 1.6f : 1.0f};
+        Glow glow;
+        glow.time = moment.time;
+        if (has_fired(moment, i)) glow.strength = 1.6f;
+        if (i < level.sensor_tints.size()) glow = tinted(glow, level.sensor_tints[i]);
         physics::Region const& region = level.scene.sensors[i].region;
         if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) add_ring(shapes, *disc, camera, glow);
         if (auto const* line = std::get_if<physics::LineRegion>(&region)) add_finish(shapes, *line, camera, glow);

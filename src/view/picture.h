@@ -1,6 +1,7 @@
 // A picture as data: what to paint, back to front, in pixels (x right, y down, origin at the upper left corner).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -61,13 +62,19 @@ struct Area {
     Paint paint;
 };
 
+// The colours of a shell's two halves.
+struct Livery {
+    Colour upper, lower;
+};
+
 // The ball: a striped, see-through shell with a face inside; angle counter-clockwise as in the world.
 struct Shell {
     Vec2 centre = Vec2::Zero();
     double radius = 0;
-    double angle = 0;           // rad
-    int livery = 0;             // which pair of colours, 0 = the player's
-    Vec2 light = {-0.5, -0.8};  // towards the light, on the screen
+    double angle = 0;                          // rad
+    int livery = 0;                            // which pair of colours, 0 = the player's
+    Vec2 light = {-0.5, -0.8};                 // towards the light, on the screen
+    std::optional<Livery> own = std::nullopt;  // in place of that pair
 };
 
 enum class Anchor { Left, Centre, Right };

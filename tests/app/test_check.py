@@ -31,6 +31,12 @@ class Check(ProgramTest):
         level = self.file("odd.svg", self.small_level.read_text().replace("data-spin", "data-spim"))
         self.assertIn(f"{level}:3: ", self.done("check", level).decode())
 
+    def test_a_wide_stroke_is_noted(self):
+        drawn = self.small_level.read_text().replace('id="floor"', 'id="floor" fill="none" stroke="red"')
+        level = self.file("wide.svg", drawn)
+        self.assertIn(f"{level}: note: line 2: terrain: a stroke of 1 m is wider than 2 % of the ball, which touches "
+                      "its middle", self.done("check", level).decode().splitlines())
+
     def test_a_sound_level_is_told_what_it_needs_and_which_method_is_chosen(self):
         level = self.file("bowl.svg", """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 4.5">
 <path id="bowl" class="terrain" data-friction="inf" d="M 0 0 A 4 4 0 0 0 8 0"/>

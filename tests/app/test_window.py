@@ -15,6 +15,7 @@ WIDTH, HEIGHT = 960, 540
 SCALE = WIDTH / 16  # pixels per metre: a level of 16 m x 9 m is shown whole
 START = (1.9, 4.6)  # m, of the ball
 TARGET = (3.4, 6.6)  # m, within the spring's reach and in free air
+RED_FLOOR = SMALL_LEVEL.replace("/>", '/><rect class="terrain" fill="#f00" width="8" height="0.5" y="4"/>', 1)
 
 
 def on_screen(place):
@@ -195,6 +196,39 @@ class Window(ProgramTest):
         said = [line for line in stderr.decode().splitlines() if "best times" in line]
         self.assertEqual(len(said), 1, stderr)
         self.assertIn("best.json.spoilt", said[0])
+
+    def open_drawing(self, text):
+        self.display = Display(self)
+        self.level = self.file("drawn.svg", text)
+        self.game = self.start("play", self.level, "--renderer", "software", "--size", "320x180",
+                               changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11"})
+        self.window = until(self.find_window, "the window", self.game)
+        self.until_colour(b"\xff\x00\x00")
+
+    def save_drawing(self, text):
+        """As editors do: beside it, then renamed."""
+        self.file("drawn.svg.new", text).replace(self.level)
+
+    def until_colour(self, colour):
+        until(lambda: self.screenshot().count(colour) > 1000, f"terrain of colour {colour}", self.game)
+
+    def test_a_saved_change_of_the_level_is_read_at_once(self):
+        self.open_drawing(RED_FLOOR)
+        self.save_drawing(RED_FLOOR.replace("#f00", "#00f"))
+        self.until_colour(b"\x00\x00\xff")
+        self.level.write_text(RED_FLOOR.replace("#f00", "#0f0"))  # in place
+        self.until_colour(b"\x00\xff\x00")
+        self.close()
+
+    def test_a_fault_is_told_while_the_last_good_level_plays_on(self):
+        self.open_drawing(RED_FLOOR)
+        self.save_drawing(RED_FLOOR.replace('r="0.5"', 'r="-1"'))
+        line = self.game.stderr.readline().decode()
+        self.assertRegex(line, r"drawn\.svg:3: ball: r must be greater than 0")
+        self.until_colour(b"\xff\x00\x00")
+        self.save_drawing(RED_FLOOR.replace("#f00", "#00f"))
+        self.until_colour(b"\x00\x00\xff")
+        self.close()
 
     def test_closing_the_window_ends_the_program(self):
         self.open("software")

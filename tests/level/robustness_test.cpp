@@ -86,3 +86,33 @@ TEST_CASE("bytes at random are no level") {
         CHECK(is_well_behaved("<svg viewBox='0 0 1 1'>" + text));
     }
 }
+
+TEST_CASE("what a small file would make large is a fault on one line") {
+    auto const nested = [](std::string const& element) {
+        std::string text = element;
+        for (int i = 1; i < 8; ++i) {
+            std::string const copy = "<use href='#c" + std::to_string(i - 1) + "'/>";
+            text += "<g id='c" + std::to_string(i) + "'>";
+            for (int j = 0; j < 10; ++j) text += copy;
+            text += "</g>";
+        }
+        return with(text);
+    };
+    CHECK(fault_of(nested("<path id='c0' class='terrain' d='M0 5H9'/>")) ==
+          ":3: use: a level must have at most 100000 elements, copies by use included");
+    std::string data = "M0 5";
+    for (int i = 0; i < 3000; ++i) data += "l.001 0 0 .001";
+    CHECK(fault_of(nested("<path id='c0' class='terrain' d='" + data + "'/>")) ==
+          ":3: terrain: all shapes together must have at most 1000000 pieces");
+    auto const repeated = [](std::string const& before, std::string const& what, int times, std::string const& after) {
+        std::string text = before;
+        for (int i = 0; i < times; ++i) text += what;
+        return with(text + after);
+    };
+    CHECK(fault_of(repeated("<style>", ".a{fill:red}", 90'000, "</style>")) ==
+          ":3: style: style sheets must have at most 1 MB together, got more");
+    CHECK(fault_of(repeated("<path class='terrain' style='", "fill:red;", 120'000, "' d='M0 5H9'/>")) ==
+          ":3: path: a style must have at most 1 MB, got more");
+    CHECK(fault_of(repeated("<path class='terrain'", " a='1'", 1'000'001, " d='M0 5H9'/>")) ==
+          ":3: a level must have at most 1000000 attributes");
+}

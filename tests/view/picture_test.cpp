@@ -140,3 +140,42 @@ TEST_CASE("points along an outline lie within half a millimetre of its arcs") {
         CHECK(5 - middle < 0.0005 + 1e-9);
     }
 }
+
+TEST_CASE("what the drawing paints is drawn in its colours, in front of the grass that comes before it") {
+    level::Level level = floor_level(16, 9);
+    level::Outline const slab{straight({2, 1}, {4, 1}).curves, false};
+    level.decorations = {{{slab}, std::nullopt, "#ff0000", 0.1, 1}, {{slab}, std::nullopt, "#0000ff", 0.1, 0.5}};
+    level.in_front = 1;
+    view::Picture const picture = picture_at(level, 0);
+    auto const place = [&](view::Colour const& colour) {
+        for (std::size_t i = 0; i < picture.backdrop.size(); ++i)
+            if (auto const* stroke = std::get_if<view::Stroke>(&picture.backdrop[i]))
+                if (stroke->colour.red == colour.red && stroke->colour.blue == colour.blue) return i;
+        return picture.backdrop.size();
+    };
+    std::size_t const red = place({1, 0, 0, 1}), blue = place({0, 0, 1, 1});
+    REQUIRE(blue < picture.backdrop.size());
+    CHECK(std::get<view::Stroke>(picture.backdrop[blue]).colour.alpha == doctest::Approx(0.5));
+    std::size_t const ground = static_cast<std::size_t>(count_of<view::Area>(picture.backdrop));
+    CHECK(blue - red > ground - 3);  // the three ridges of hills are behind both
+    CHECK(std::holds_alternative<view::Area>(picture.backdrop[blue - 1]));
+    CHECK(blue == picture.backdrop.size() - 1);
+}
+
+TEST_CASE("terrain that the drawing paints has no grass and no soil") {
+    level::Level level = floor_level(16, 9);
+    CHECK(!view::ground_of(level).patches.empty());
+    level.outlines[0].painted = true;
+    CHECK(view::ground_of(level).patches.empty());
+}
+
+TEST_CASE("a ball has the colour that the drawing gives it") {
+    level::Level level = floor_level(16, 9);
+    CHECK(!shell_in(picture_at(level, 0)).own);
+    level.ball_tints = {{"#3366ff", "#000000"}};
+    auto const own = shell_in(picture_at(level, 0)).own;
+    REQUIRE(own);
+    CHECK(own->upper.red == doctest::Approx(0.2));
+    CHECK(own->upper.blue == doctest::Approx(1));
+    CHECK(own->lower.red > own->upper.red);
+}

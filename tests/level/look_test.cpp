@@ -1,0 +1,118 @@
+// What of the drawing's own paint a level keeps.
+#include <doctest/doctest.h>
+
+#include "drawing.h"
+
+using namespace drawing;
+
+namespace {
+
+std::string const earth = "d='M0 5H9V9H0Z'";
+
+// "#fill/#stroke/width/opacity" of all that the drawing paints itself, in its order.
+std::string painted(std::string const& third_line) {
+    std::ostringstream all;
+    char const* between = "";
+    for (level::Decoration const& part : read(with(third_line)).decorations) {
+        all << between << part.fill.value_or("none") << '/' << part.stroke.value_or("none") << '/' << part.stroke_width
+            << '/' << part.opacity;
+        between = " ";
+    }
+    return all.str();
+}
+
+bool has_grass(std::string const& third_line) { return !read(with(third_line)).outlines.at(0).painted; }
+
+std::string ball_colours(std::string const& attributes, std::string const& before = "") {
+    auto const level =
+        read("<svg viewBox='-9 -9 16 9'>" + before + "<circle class='ball' r='1' " + attributes + "/></svg>");
+    level::Tint const& tint = level.ball_tints.at(0);
+    return tint.fill.value_or("-") + " " + tint.stroke.value_or("-");
+}
+
+}  // namespace
+
+TEST_CASE("terrain keeps the fill and stroke that the drawing gives it") {
+    CHECK(painted("<path class='terrain' fill='#8a5' " + earth + "/>") == "#88aa55/none/0/1");
+    CHECK(painted("<path class='terrain' style='fill:none;stroke:tomato;stroke-width:.1' " + earth + "/>") ==
+          "none/#ff6347/0.1/1");
+    CHECK(painted("<path class='terrain' stroke='red' stroke-width='0.2' " + earth + "/>") == "#000000/#ff0000/0.2/1");
+    CHECK(painted("<g opacity='.5' class='terrain' fill='red' transform='scale(2)'><path stroke='blue' " + earth +
+                  "/></g>") == "#ff0000/#0000ff/2/0.5");
+    CHECK(painted("<style>.a{fill:currentColor}</style><path class='terrain a' color='lime' " + earth + "/>") ==
+          "#00ff00/none/0/1");
+    CHECK(painted("<line class='terrain' x1='1' y1='5' x2='9' y2='5' fill='red' stroke='red' stroke-width='1mm'/>") ==
+          "none/#ff0000/3.77953/1");
+    CHECK(!has_grass("<path class='terrain' fill='#8a5' " + earth + "/>"));
+}
+
+TEST_CASE("grass and soil come where the drawing paints nothing or asks by a class") {
+    CHECK(has_grass("<path class='terrain' " + earth + "/>"));
+    CHECK(has_grass("<path class='terrain' fill='none' " + earth + "/>"));
+    CHECK(has_grass("<path class='grass terrain' fill='red' " + earth + "/>"));
+    CHECK(has_grass("<g class='grass'><path class='terrain' fill='red' " + earth + "/></g>"));
+    CHECK(has_grass("<path class='terrain' fill='url(#none)' " + earth + "/>"));
+    CHECK(warnings_of(with("<path class='terrain' fill='url(#none)' " + earth + "/>")) ==
+          "3: terrain: is shown as grass and soil: the paint url(#none)");
+    CHECK(painted("<path class='grass terrain' fill='red' " + earth + "/>") == "");
+}
+
+TEST_CASE("hidden terrain is neither grass nor paint") {
+    CHECK(!has_grass("<path class='terrain' visibility='hidden' " + earth + "/>"));
+    CHECK(painted("<path class='terrain' visibility='hidden' fill='red' " + earth + "/>") == "");
+    CHECK(!has_grass("<path class='terrain' opacity='0' fill='red' " + earth + "/>"));
+}
+
+TEST_CASE("painted terrain lies over the grass that comes before it") {
+    std::string const plain = "<path class='terrain' " + earth + "/>", red = "<rect width='1' height='1' fill='red'/>";
+    std::string const slab = "<path class='terrain' fill='blue' d='M2 5H3V6H2Z'/>";
+    CHECK(!read(with(red + slab + plain)).in_front);
+    CHECK(read(with(red + plain + slab)).in_front == 1);
+}
+
+TEST_CASE("a gradient stands for its mean colour") {
+    std::string const stops = "<stop offset='0' stop-color='#000'/><stop offset='100%' style='stop-color:#f80'/>";
+    auto const of = [&](std::string const& defs) {
+        return painted("<defs>" + defs + "</defs><path class='terrain' fill='url(#a)' " + earth + "/>");
+    };
+    CHECK(of("<linearGradient id='a'>" + stops + "</linearGradient>") == "#804400/none/0/1");
+    // The outer half of a disc's radius is three quarters of its area.
+    CHECK(of("<radialGradient id='a'><stop offset='.5' stop-color='#000'/><stop offset='.5' "
+             "stop-color='#fc8'/></radialGradient>") == "#bf9966/none/0/1");
+    CHECK(of("<linearGradient id='b'><stop stop-color='#123456'/></linearGradient><linearGradient id='a' "
+             "href='#b'/>") == "#123456/none/0/1");
+    CHECK(of("<linearGradient id='a'><stop stop-color='red'/><stop offset='1' stop-color='red' "
+             "stop-opacity='0'/></linearGradient>") == "#ff0000/none/0/0.5");
+    CHECK(of("<linearGradient id='a' href='#b'/><linearGradient id='b' href='#a'/>") == "");
+    CHECK(painted("<path class='terrain' fill='url(#none) #abc' " + earth + "/>") == "#aabbcc/none/0/1");
+    auto const level = read(with("<radialGradient id='a'>" + stops +
+                                 "</radialGradient><rect fill='url(#a)' width='1' "
+                                 "height='1'/>"));
+    REQUIRE(level.remarks.size() == 1);
+    CHECK(level.remarks[0].text == "svg: gradients are shown as their mean colour");
+}
+
+TEST_CASE("balls and goals have the drawing's colours") {
+    CHECK(ball_colours("fill='tomato'") == "#ff6347 -");
+    CHECK(ball_colours("style='fill:none;stroke:#123456'") == "- #123456");
+    CHECK(ball_colours("") == "- -");
+    CHECK(ball_colours("fill='url(#a)'", "<radialGradient id='a'><stop stop-color='#39f'/></radialGradient>") ==
+          "#3399ff -");
+    CHECK(ball_colours("fill='url(#pattern)'") == "- -");
+    auto const level = read(with("<rect class='goal' width='1' height='1' fill='none' stroke='red'/>"));
+    CHECK(!level.sensor_tints.at(0).fill);
+    CHECK(level.sensor_tints.at(0).stroke == "#ff0000");
+}
+
+TEST_CASE("a stroke wider than 2 % of the ball is remarked on") {
+    auto const remarks = [](std::string const& width, std::string const& more = "") {
+        auto const level =
+            read(with("<path class='terrain' stroke='red' stroke-width='" + width + "' " + earth + "/>\n" + more));
+        return level.remarks.empty() ? "" : std::to_string(level.remarks[0].line) + ": " + level.remarks[0].text;
+    };
+    CHECK(remarks("0.02") == "");  // the ball is 1 m across
+    CHECK(remarks("0.021") ==
+          "3: terrain: a stroke of 0.021 m is wider than 2 % of the ball, which touches its middle");
+    CHECK(remarks("0.1", "<line class='terrain' x2='9' stroke='red'/>") ==
+          "3: terrain: a stroke of 0.1 m is wider than 2 % of the ball, which touches its middle, and 1 more");
+}
