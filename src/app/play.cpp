@@ -55,7 +55,7 @@ private:
 void show_cursor(Cursors& cursors, PlayGame const& game, screen::Window const& window) {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
-    bool const grips = game.held || is_over_ball(game, Vec2(x, y) * window.pixel_ratio());
+    bool const grips = game.held || ball_at(game, Vec2(x, y) * window.pixel_ratio());
     cursors.show(grips ? Cursors::Shape::hand : Cursors::Shape::arrow);
 }
 
@@ -91,18 +91,18 @@ int play(PlayOptions const& options) {
     settings.height = size.height;
     game::MethodWish const wish = wish_from(options.method);
     std::string const file = file_to_play(options);
-    PlayGame game = game_of(file, wish);
+    auto const shown = options.file.empty() ? shipped_run_of(file) : std::nullopt;
+    PlayGame game = shown ? title_of_run(shown->string(), wish) : game_of(file, wish);
     Tour tour = tour_from(file);
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
-    say(game, "Press on the ball and drag it.   F1: all keys");
     loop(game, tour, window);
     return done;
 }
 
 Command play_command(CommandLine& program) {
-    Subcommand command = program.add("play", "The window; without a file, the first level");
+    Subcommand command = program.add("play", "The window; without a file, the title and then the levels");
     auto const options = std::make_shared<PlayOptions>();
     command.takes("file", options->file, "a level (.svg) or a run (.json)", "LEVEL|RUN");
     declare(command, options->method);

@@ -20,6 +20,29 @@ void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& win
     window.retitle(title_of(game));
 }
 
+// On from the card at the end of a game.
+void close_card(PlayGame& game, Tour& tour, screen::Window& window) {
+    if (!is_card_open(game)) return;
+    if (game.session.goal_time) return go_to_level(game, tour, 1, window);
+    window.release_pointer();
+    restart(game);
+}
+
+// Under the title nearly every key starts the game.
+Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
+    if (!clicked && (event.type != SDL_KEYDOWN || event.key.repeat != 0)) return Wish::stay;
+    SDL_Keycode const key = clicked ? SDLK_RETURN : event.key.keysym.sym;
+    if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return Wish::quit;
+    if (key == SDLK_F1 || key == SDLK_ESCAPE)
+        game.help = !game.help;
+    else if (key == SDLK_F11)
+        window.toggle_fullscreen();
+    else
+        go_to_level(game, tour, 0, window);
+    return Wish::stay;
+}
+
 Vec2 pixel_at(int x, int y, screen::Window const& window) { return Vec2(x, y) * window.pixel_ratio(); }
 
 // Which way the keys that are down now tilt the stage.
@@ -44,7 +67,14 @@ Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& wind
             game.help = !game.help;
             break;
         case SDLK_SPACE:
-            if (!return_to_present(game)) game.pace.paused = !game.pace.paused;
+            if (game.waiting)
+                begin(game);
+            else if (!return_to_present(game))
+                game.pace.paused = !game.pace.paused;
+            break;
+        case SDLK_RETURN:
+        case SDLK_KP_ENTER:
+            close_card(game, tour, window);
             break;
         case SDLK_COMMA:
         case SDLK_LESS:
@@ -125,6 +155,7 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             }
             break;
         case SDL_KEYDOWN:
+            if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
             game.lean = lean_of_keys();
             // Alt-Tab is the desktop's, and a key that is held down repeats single steps alone.
             if ((event.key.keysym.mod & KMOD_ALT) != 0) return Wish::stay;
@@ -134,9 +165,12 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             game.lean = lean_of_keys();
             break;
         case SDL_MOUSEBUTTONDOWN:
-            if (event.button.button == SDL_BUTTON_LEFT && !game.held &&
-                press(game, pixel_at(event.button.x, event.button.y, window)) == Pressed::ball)
+            if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
+            if (event.button.button != SDL_BUTTON_LEFT || game.held) break;
+            if (press(game, pixel_at(event.button.x, event.button.y, window)) != Pressed::nothing)
                 window.capture_pointer();
+            else
+                close_card(game, tour, window);
             break;
         case SDL_MOUSEMOTION:
             move_pointer(game, pixel_at(event.motion.x, event.motion.y, window));

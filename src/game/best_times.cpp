@@ -42,16 +42,6 @@ Listed listed() {
     return list;
 }
 
-// Gives the file another name that is free, and returns it; a link stays where it is.
-std::filesystem::path set_aside(std::filesystem::path const& file) {
-    std::filesystem::path const whole = behind_links(file.string());
-    std::filesystem::path aside = whole.string() + ".spoilt";
-    for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(aside)); ++i)
-        aside = whole.string() + ".spoilt-" + std::to_string(i);
-    std::filesystem::rename(whole, aside);
-    return aside;
-}
-
 }  // namespace
 
 std::optional<std::filesystem::path> data_folder() {

@@ -28,6 +28,21 @@ struct Decoration {
     double opacity = 1;
 };
 
+// What lies behind the play, in colours as #rrggbb; what is empty is as the game has it. "none" leaves out.
+
+inline constexpr char no_colour[] = "none";
+struct Look {
+    std::vector<std::string> sky;    // above, below
+    std::vector<std::string> hills;  // far, middle, near
+    std::string sun, clouds;
+};
+
+// What there is to do better than merely to arrive. Every banana counts beside these.
+struct Pars {
+    std::optional<double> time;  // s
+    std::optional<int> pulls;    // how often a ball is taken
+};
+
 struct Finding {
     int line = 0;
     std::string text;    // "element: what"
@@ -46,8 +61,11 @@ struct Level {
     Vec2 size = Vec2::Zero();                // m, of the viewBox; its lower left corner is the origin
     double metres_per_unit = 1;              // of the drawing
     std::optional<double> time_limit;        // s
-    double drag_reach = 4;                   // m
+    std::string hint;                        // the drawing's <desc>
+    double drag_reach = 4;                   // m; 0 = nothing can be pulled
     double tilt_limit = 0.4;                 // rad
+    Pars pars;
+    Look look;
     std::vector<Outline> outlines;           // of the terrain
     std::vector<Decoration> decorations;
     std::vector<Finding> misspellings;  // classes a letter away from a role, of which every command warns

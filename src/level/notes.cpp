@@ -33,7 +33,7 @@ std::vector<std::string> notes_on(Level const& level) {
     }
     bool const has_goal =
         std::find(level.meanings.begin(), level.meanings.end(), Meaning::goal) != level.meanings.end();
-    if (!has_goal) notes.push_back("there is no goal and no way to win: give a shape the class goal");
+    if (!has_goal) notes.emplace_back("there is no goal and no way to win: give a shape the class goal");
     return notes;
 }
 

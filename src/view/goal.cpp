@@ -13,6 +13,7 @@ constexpr double whole_turn = 2 * 3.14159265358979;
 struct Glow {
     double time = 0;     // s
     float strength = 1;  // brighter once it has been reached
+    double metre = 80;   // pixels, of what has no size of its own
 };
 
 // A band of small squares, black and white, from one point to another, hanging to the given side.
@@ -64,11 +65,11 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
         double const share = rise - std::floor(rise);
         double const x = low.x() + width * (0.12 + 0.76 * std::fmod(0.618034 * i, 1.0));
         float const alpha = static_cast<float>(std::sin(3.14159265 * share)) * 0.8f;
-        double const radius = 0.05 * camera.scale;
+        double const radius = 0.05 * glow.metre;
         shapes.emplace_back(Disc{{x, low.y() - share * height}, radius, colour(0xfff6c0, alpha), {}, 0, 0.8 * radius});
     }
-    double const post = 0.11 * camera.scale;
-    double const cloth = std::min(0.36 * camera.scale, 0.4 * height);
+    double const post = 0.11 * glow.metre;
+    double const cloth = std::min(0.36 * glow.metre, 0.4 * height);
     add_checks(shapes, {low.x(), high.y()}, {high.x(), high.y()}, {0, cloth}, glow.time);
     add_post(shapes, {low.x(), low.y()}, {low.x(), high.y()}, post);
     add_post(shapes, {high.x(), low.y()}, {high.x(), high.y()}, post);
@@ -77,7 +78,7 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
 void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camera const& camera, Glow const& glow) {
     Vec2 const centre = pixel_of(camera, disc.centre);
     double const radius = disc.radius * camera.scale;
-    double const width = std::min(0.12 * camera.scale, 0.3 * radius);
+    double const width = std::min(0.12 * glow.metre, 0.3 * radius);
     shapes.emplace_back(Disc{centre, radius, faded(palette::gold, 0.4f * glow.strength), {}, 0, 0.6 * radius});
     shapes.emplace_back(ArcStroke{centre, radius, 0, whole_turn, width, palette::gold_deep});
     for (int i = 0; i < 8; ++i) {
@@ -98,17 +99,17 @@ void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camer
 void add_finish(std::vector<Shape>& shapes, physics::LineRegion const& line, Camera const& camera, Glow const& glow) {
     Vec2 from = pixel_of(camera, line.from), to = pixel_of(camera, line.to);
     if (from.y() < to.y()) std::swap(from, to);  // `to` is the upper end
-    double const post = 0.1 * camera.scale;
+    double const post = 0.1 * glow.metre;
     shapes.emplace_back(Stroke{from, to, 3.5 * post, faded(palette::gold, 0.2f * glow.strength)});
     Vec2 const way = to - from;
     bool const upright = std::abs(way.y()) > std::abs(way.x());
     if (!upright) {
-        add_checks(shapes, from, to, {0, 0.27 * camera.scale}, 0);
-        add_post(shapes, from, from - Vec2(0, 0.15 * camera.scale), post);
-        add_post(shapes, to, to - Vec2(0, 0.15 * camera.scale), post);
+        add_checks(shapes, from, to, {0, 0.27 * glow.metre}, 0);
+        add_post(shapes, from, from - Vec2(0, 0.15 * glow.metre), post);
+        add_post(shapes, to, to - Vec2(0, 0.15 * glow.metre), post);
         return;
     }
-    double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * camera.scale, 0.6 * camera.scale);
+    double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * glow.metre, 0.6 * glow.metre);
     add_checks(shapes, to, to + Vec2(1.5 * flag, 0), {0, flag}, glow.time);
     add_post(shapes, from, to, post);
 }
@@ -134,7 +135,7 @@ std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, 
     std::vector<Shape> shapes;
     for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
         if (level.meanings[i] != level::Meaning::goal) continue;
-        Glow const glow{moment.time, has_fired(moment, i) ? 1.6f : 1.0f};
+        Glow const glow{moment.time, has_fired(moment, i) ? 1.6f : 1.0f, size_unit(level) * camera.scale};
         physics::Region const& region = level.scene.sensors[i].region;
         if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) add_ring(shapes, *disc, camera, glow);
         if (auto const* line = std::get_if<physics::LineRegion>(&region)) add_finish(shapes, *line, camera, glow);

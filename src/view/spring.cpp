@@ -42,7 +42,7 @@ std::vector<Shape> spring_shapes(level::Level const& level, Moment const& moment
     Vec2 const from = pixel_of(camera, moment.balls[static_cast<std::size_t>(pull.ball)].position);
     Vec2 const to = pixel_of(camera, pull.target);
     double const length = geometry::length(to - from);
-    double const unit = 0.05 * camera.scale;
+    double const unit = 0.05 * size_unit(level) * camera.scale;
     double const stretch = std::clamp(length / (level.drag_reach * camera.scale), 0.0, 1.0);
     Colour const wire = mixed(palette::steel, palette::strain, static_cast<float>(stretch));
     Colour const back = mixed(palette::steel_back, palette::strain, static_cast<float>(0.5 * stretch));
