@@ -20,6 +20,7 @@ constexpr double near_ball = 2;       // radii: a press so near takes hold of it
 constexpr double near_small = 22;     // pixels of a picture of 1280x720: the same for a ball that looks small
 constexpr double flight_time = 1.8;   // s on the wall, from the goal to the ball
 constexpr double card_time = 0.6;     // s on the wall, before a press closes a card
+constexpr double falling_time = 1.5;  // s on the wall: so long after a fall the world stands still
 // A stepping method may be a step ahead of what is shown.
 static_assert(game::PastLimits{}.shortest > view::camera_memory + 1 / game::lowest_rate);
 
@@ -61,6 +62,11 @@ void learn(PlayGame& game, game::Lesson lesson) {
     } catch (std::exception const& error) {
         note(std::string("smb2d: ") + error.what());
     }
+}
+
+// After the goal the ball rolls on; after a fall, or when the time is over, there is nothing more to come.
+bool has_come_to_an_end(PlayGame const& game) {
+    return game.over_since && !game.session.goal_time && game.wall_time - *game.over_since > falling_time;
 }
 
 // Where the pointer that drags a ball is in the world, which depends on where the camera is.
@@ -312,7 +318,7 @@ void pass(PlayGame& game, double elapsed) {
     bool const tilts = game.lean != 0 && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
     if (tilts && game.looked_at) go_on_from_past(game);
     if (tilts) begin(game);
-    if (game.waiting) return;
+    if (game.waiting || has_come_to_an_end(game)) return;
     long long const before = game.pace.ticks;
     game::Pace const next = game::after(game.pace, elapsed);
     if (next.ticks == before) {

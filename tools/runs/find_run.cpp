@@ -110,17 +110,24 @@ private:
         if (!fresh && nodes_[static_cast<std::size_t>(place->second)].tick <= node.tick) return;
         place->second = static_cast<int>(nodes_.size());
         order_.push_back(place->second);
+        by_bananas_[node.bananas].push_back(place->second);
         nodes_.push_back(std::move(node));
     }
 
-    // Of a few by chance, the one with the most bananas and the fewest visits.
+    // Mostly from where most bananas have been reached; of a few by chance, the one with the fewest visits.
     int chosen() {
-        int best = order_[below(order_.size())];
-        for (int i = 0; i < 4; ++i) {
-            int const other = order_[below(order_.size())];
-            Node const& a = nodes_[static_cast<std::size_t>(best)];
-            Node const& b = nodes_[static_cast<std::size_t>(other)];
-            if (std::make_pair(-b.bananas, b.visits) < std::make_pair(-a.bananas, a.visits)) best = other;
+        std::vector<int> const* from = &order_;
+        double const what = uniform(0, 1);
+        auto const top = by_bananas_.rbegin();
+        if (what < 0.5)
+            from = &top->second;
+        else if (what < 0.75 && by_bananas_.size() > 1)
+            from = &std::next(top)->second;
+        int best = (*from)[below(from->size())];
+        for (int i = 0; i < 3; ++i) {
+            int const other = (*from)[below(from->size())];
+            if (nodes_[static_cast<std::size_t>(other)].visits < nodes_[static_cast<std::size_t>(best)].visits)
+                best = other;
         }
         return best;
     }
@@ -220,15 +227,13 @@ private:
         run.level_file = level_->file;
         run.inputs = inputs;
         run.duration = std::ceil((*time + 2) * 10) / 10;
-        if (level_->drag_reach > 0 && !inputs.empty()) {
-            game::Session const last = game::session_of(level_, method_, inputs);
-            run.inputs.push_back({std::max(*time, inputs.back().time) + 0.05, game::Release{}});
+        if (!inputs.empty()) {
             bool held = false;
             for (game::Input const& input : inputs) {
                 if (std::holds_alternative<game::Grab>(input.action)) held = true;
                 if (std::holds_alternative<game::Release>(input.action)) held = false;
             }
-            if (!held) run.inputs.pop_back();
+            if (held) run.inputs.push_back({std::max(*time, inputs.back().time) + 0.05, game::Release{}});
         }
         best_ = run;
     }
@@ -239,6 +244,7 @@ private:
     int all_bananas_ = 0;
     std::vector<Node> nodes_;
     std::vector<int> order_;
+    std::map<int, std::vector<int>> by_bananas_;
     std::map<Cell, int> cells_;
     int won_ = 0, best_kept_ = 0;
     double best_time_ = 0;  // s
