@@ -22,11 +22,19 @@ screen::Renderer renderer_from(std::string const& name) {
     throw UsageError("--renderer: must be auto, gl or software, got \"" + name + "\"");
 }
 
-std::string file_to_play(PlayOptions const& options) {
-    if (!options.file.empty()) return options.file;
+Tour tour_for(std::string const& file) {
+    std::error_code missing;
+    if (!file.empty()) return std::filesystem::is_directory(file, missing) ? tour_of_folder(file) : tour_from(file);
     auto const levels = shipped_levels();
     if (levels.empty()) throw std::runtime_error("the levels that ship with this program were not found; name a level");
-    return levels.front().string();
+    return tour_from(levels.front().string());
+}
+
+// With nothing named, the title over a run of the first level.
+PlayGame game_for(PlayOptions const& options, Tour const& tour, game::MethodWish const& wish) {
+    std::string const& file = tour.files[tour.at];
+    auto const shown = options.file.empty() ? shipped_run_of(file) : std::nullopt;
+    return shown ? title_of_run(shown->string(), wish) : game_of(file, wish);
 }
 
 double seconds_now() {
@@ -73,9 +81,14 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
             if (listen(event, game, tour, window) == Wish::quit) return;
         fit(game, window);
         double const now = seconds_now();
-        pass(game, now - last);
-        scrub_by_keys(game, now - last);
+        double const elapsed = now - last;
         last = now;
+        if (tour.picker) {
+            window.present(picture_of(*tour.picker, game.size));
+            continue;
+        }
+        pass(game, elapsed);
+        scrub_by_keys(game, elapsed);
         show_cursor(cursors, game, window);
         window.present(picture_of(game));
     }
@@ -90,10 +103,8 @@ int play(PlayOptions const& options) {
     settings.width = size.width;
     settings.height = size.height;
     game::MethodWish const wish = wish_from(options.method);
-    std::string const file = file_to_play(options);
-    auto const shown = options.file.empty() ? shipped_run_of(file) : std::nullopt;
-    PlayGame game = shown ? title_of_run(shown->string(), wish) : game_of(file, wish);
-    Tour tour = tour_from(file);
+    Tour tour = tour_for(options.file);
+    PlayGame game = game_for(options, tour, wish);
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
@@ -104,7 +115,7 @@ int play(PlayOptions const& options) {
 Command play_command(CommandLine& program) {
     Subcommand command = program.add("play", "The window; without a file, the title and then the levels");
     auto const options = std::make_shared<PlayOptions>();
-    command.takes("file", options->file, "a level (.svg) or a run (.json)", "LEVEL|RUN");
+    command.takes("file", options->file, "a level (.svg), a run (.json) or a folder of levels", "LEVEL|RUN|FOLDER");
     declare(command, options->method);
     command.takes("--renderer", options->renderer, "auto, gl or software (default: auto)", "NAME");
     command.takes("-s,--size", options->size, "pixels (default: 1280x720)", "WxH");

@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/play_save.h"
 #include "game/best_times.h"
+#include "game/medals.h"
 #include "game/past.h"
 #include "game/run_file.h"
 #include "view/hud.h"
@@ -96,13 +97,18 @@ void lean(PlayGame& game, double simulated) {
     game::act(game.session, game::Tilt{now + std::clamp(wanted - now, -most, most)});
 }
 
+void note_set_aside(std::optional<std::filesystem::path> const& aside, char const* what) {
+    if (aside) note(std::string("smb2d: the list of ") + what + " could not be read; it is kept as " + aside->string());
+}
+
 void note_goal(PlayGame& game) {
     if (game.noted || !game.session.goal_time || *game.session.goal_time > present_time(game)) return;
     game.noted = true;
+    level::Level const& level = game.stage->level;
+    double const time = *game.session.goal_time;
     try {
-        game::Noted const noted = game::note_time(game.stage->level, *game.session.goal_time);
-        if (noted.set_aside)
-            note("smb2d: the list of best times could not be read; it is kept as " + noted.set_aside->string());
+        note_set_aside(game::note_time(level, time).set_aside, "best times");
+        note_set_aside(game::note_medal(level, game::medal_for(level, game::status_at(game.session, time))), "medals");
     } catch (std::exception const& error) {
         say(game, std::string("The time was not kept: ") + error.what());
         note(std::string("smb2d: ") + error.what());

@@ -1,5 +1,9 @@
 #include "app/play_keys.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
 #include "app/assets.h"
 
 namespace app {
@@ -28,6 +32,74 @@ void close_card(PlayGame& game, Tour& tour, screen::Window& window) {
     restart(game);
 }
 
+Vec2 pixel_at(int x, int y, screen::Window const& window) { return Vec2(x, y) * window.pixel_ratio(); }
+
+void open_picker(PlayGame& game, Tour& tour, screen::Window& window) {
+    window.release_pointer();
+    lose_focus(game);
+    tour.picker = picker_of(tour.files, tour.at);
+}
+
+void play_choice(PlayGame& game, Tour& tour, screen::Window& window) {
+    std::size_t const chosen = tour.picker->chosen;
+    tour.picker.reset();
+    tour.at = chosen;
+    go_to_level(game, tour, 0, window);
+}
+
+// Whether the event was the picker's.
+bool listen_on_picker(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    Picker& picker = *tour.picker;
+    if (event.type == SDL_MOUSEMOTION) {
+        Vec2 const pixel = pixel_at(event.motion.x, event.motion.y, window);
+        picker.chosen = tile_at(picker, pixel, game.size).value_or(picker.chosen);
+        return true;
+    }
+    if (event.type == SDL_MOUSEBUTTONDOWN) {
+        Vec2 const pixel = pixel_at(event.button.x, event.button.y, window);
+        auto const tile = tile_at(picker, pixel, game.size);
+        if (tile) picker.chosen = *tile;
+        if (tile) play_choice(game, tour, window);
+        return true;
+    }
+    if (event.type == SDL_MOUSEWHEEL) {
+        move_choice(picker, 0, event.wheel.y > 0 ? -1 : 1);
+        return true;
+    }
+    if (event.type != SDL_KEYDOWN) return false;
+    switch (event.key.keysym.sym) {
+        case SDLK_LEFT:
+        case SDLK_a:
+            move_choice(picker, -1, 0);
+            break;
+        case SDLK_RIGHT:
+        case SDLK_d:
+            move_choice(picker, 1, 0);
+            break;
+        case SDLK_UP:
+            move_choice(picker, 0, -1);
+            break;
+        case SDLK_DOWN:
+            move_choice(picker, 0, 1);
+            break;
+        case SDLK_RETURN:
+        case SDLK_KP_ENTER:
+        case SDLK_SPACE:
+            play_choice(game, tour, window);
+            break;
+        case SDLK_ESCAPE:
+        case SDLK_l:
+            tour.picker.reset();
+            break;
+        case SDLK_F11:
+            window.toggle_fullscreen();
+            break;
+        default:
+            return event.key.keysym.sym != SDLK_q;
+    }
+    return true;
+}
+
 // Under the title nearly every key starts the game.
 Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
     bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
@@ -36,14 +108,14 @@ Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen:
     if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return Wish::quit;
     if (key == SDLK_F1 || key == SDLK_ESCAPE)
         game.help = !game.help;
+    else if (key == SDLK_l)
+        open_picker(game, tour, window);
     else if (key == SDLK_F11)
         window.toggle_fullscreen();
     else
         go_to_level(game, tour, 0, window);
     return Wish::stay;
 }
-
-Vec2 pixel_at(int x, int y, screen::Window const& window) { return Vec2(x, y) * window.pixel_ratio(); }
 
 // Which way the keys that are down now tilt the stage.
 int lean_of_keys() {
@@ -105,6 +177,9 @@ Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& wind
         case SDLK_PAGEUP:
             go_to_level(game, tour, tour.files.size() - 1, window);
             break;
+        case SDLK_l:
+            open_picker(game, tour, window);
+            break;
         case SDLK_o:
             cycle_overlay(game);
             break;
@@ -131,6 +206,21 @@ Tour tour_from(std::string const& file) {
     return tour;
 }
 
+Tour tour_of_folder(std::string const& folder) {
+    Tour tour;
+    for (auto const& entry : std::filesystem::directory_iterator(folder)) {
+        std::filesystem::path const ending = entry.path().extension();
+        if (ending == ".svg" || ending == ".svgz") tour.files.push_back(entry.path().string());
+    }
+    std::sort(tour.files.begin(), tour.files.end());
+    if (tour.files.empty()) throw std::runtime_error(folder + ": there is no level in this folder");
+    tour.picker = picker_of(tour.files, 0);
+    auto const& tiles = tour.picker->tiles;
+    auto const whole = std::find_if(tiles.begin(), tiles.end(), [](view::Tile const& tile) { return tile.thumbnail; });
+    if (whole != tiles.end()) tour.at = tour.picker->chosen = static_cast<std::size_t>(whole - tiles.begin());
+    return tour;
+}
+
 std::string title_of(PlayGame const& game) {
     level::Level const& level = game.stage->level;
     std::string const name = level.title.empty() ? std::filesystem::path(level.file).stem().string() : level.title;
@@ -144,6 +234,7 @@ void scrub_by_keys(PlayGame& game, double elapsed) {
 }
 
 Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (tour.picker && listen_on_picker(event, game, tour, window)) return Wish::stay;
     switch (event.type) {
         case SDL_QUIT:
             return Wish::quit;
@@ -181,6 +272,13 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             release(game);
             window.release_pointer();
             break;
+        case SDL_DROPFILE: {
+            std::string const file = event.drop.file;
+            SDL_free(event.drop.file);
+            tour = tour_from(file);
+            go_to_level(game, tour, 0, window);
+            break;
+        }
         case SDL_MOUSEWHEEL: {
             int x = 0, y = 0;
             SDL_GetMouseState(&x, &y);

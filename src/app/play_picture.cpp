@@ -23,6 +23,7 @@ std::vector<view::KeyHelp> key_help() {
             {"S", "slow motion"},
             {"R", "from the beginning"},
             {"Enter", "after the goal: the next level; after a fall: again"},
+            {"L", "all levels, to pick one"},
             {"Tab", "next level; PageDown and PageUp walk through them"},
             {"O", "overlay: figures, forces, energy, all, none"},
             {"M", "next method, from the beginning"},

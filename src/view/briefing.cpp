@@ -98,7 +98,7 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size) {
     shapes.emplace_back(Panel{corner, {width, 52 * unit}, 26 * unit, palette::night});
     shapes.emplace_back(Label{{size.x() / 2, corner.y() + 35 * unit}, letters, call, faded(palette::bright, glow),
                               Anchor::Centre});
-    shapes.emplace_back(Label{{size.x() / 2, size.y() - 18 * unit}, 17 * unit, "F1: all keys    F11: full screen    Esc: quit",
+    shapes.emplace_back(Label{{size.x() / 2, size.y() - 18 * unit}, 17 * unit, "L: all levels    F1: all keys    F11: full screen    Esc: quit",
                               palette::bright, Anchor::Centre});
     return shapes;
 }

@@ -119,15 +119,6 @@ void show_whole(Camera& camera, level::Level const& level, Vec2 const& ball, dou
     camera.scale /= farther;
 }
 
-Vec2 middle_of(physics::Region const& region) {
-    if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) return disc->centre;
-    if (auto const* line = std::get_if<physics::LineRegion>(&region)) return (line->from + line->to) / 2;
-    geometry::Box box;
-    for (Vec2 const& corner : std::get<physics::PolygonRegion>(region).corners)
-        box = geometry::united(box, {corner, corner});
-    return (box.low + box.high) / 2;
-}
-
 // One axis: ahead of the ball, within the level where it is larger than the view, and never without the ball.
 struct Axis {
     double ball, looked_at, radius;  // m
@@ -180,6 +171,15 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
         camera.centre[i] = followed_by({ball[i], looked_at, radius, level.size[i], view[i]});
     }
     return camera;
+}
+
+Vec2 middle_of(physics::Region const& region) {
+    if (auto const* disc = std::get_if<physics::DiscRegion>(&region)) return disc->centre;
+    if (auto const* line = std::get_if<physics::LineRegion>(&region)) return (line->from + line->to) / 2;
+    geometry::Box box;
+    for (Vec2 const& corner : std::get<physics::PolygonRegion>(region).corners)
+        box = geometry::united(box, {corner, corner});
+    return (box.low + box.high) / 2;
 }
 
 Camera towards_goal(level::Level const& level, Camera camera, double share) {

@@ -44,6 +44,9 @@ double size_unit(level::Level const& level);
 Camera camera_at(level::Level const& level, physics::History const& history, double time, Vec2 const& size,
                  Lens const& lens = {});
 
+// m, the middle of what notices balls.
+Vec2 middle_of(physics::Region const& region);
+
 // The same camera so far on the way to where it would look at the goal, 0 to 1.
 Camera towards_goal(level::Level const& level, Camera camera, double share);
 

@@ -85,27 +85,6 @@ Metal metal_of(game::Medal medal) {
     }
 }
 
-// A disc on a ribbon; the number of its stars tells the metal without colour.
-void add_medal(std::vector<Shape>& shapes, Vec2 const& at, double radius, game::Medal medal, float presence) {
-    Metal const metal = metal_of(medal);
-    for (double const side : {-1.0, 1.0})
-        shapes.emplace_back(Stroke{at + radius * Vec2(0.15 * side, 0.3), at + radius * Vec2(0.75 * side, 1.75),
-                                   0.5 * radius, faded(side < 0 ? palette::blue : palette::red, presence)});
-    shapes.emplace_back(Disc{at, radius, faded(metal.face, presence), faded(metal.rim, presence), 0.14 * radius, 0});
-    int const stars = medal == game::Medal::gold ? 3 : medal == game::Medal::silver ? 2 : 1;
-    for (int i = 0; i < stars; ++i) {
-        Vec2 const middle = at + radius * Vec2(0.5 * (i - (stars - 1) / 2.0), i == 1 && stars == 3 ? -0.18 : 0.05);
-        Area star;
-        std::vector<Vec2>& ring = star.rings.emplace_back();
-        for (int point = 0; point < 10; ++point) {
-            double const angle = point * 0.62831853 - 1.57079633;
-            ring.push_back(middle + (point % 2 == 0 ? 0.26 : 0.11) * radius * Vec2(std::cos(angle), std::sin(angle)));
-        }
-        star.paint.top = star.paint.bottom = faded(metal.rim, presence);
-        shapes.emplace_back(std::move(star));
-    }
-}
-
 // A tick or a cross; nothing where nothing is asked for.
 void add_tick(std::vector<Shape>& shapes, Vec2 const& at, double size, game::Met met, float presence) {
     if (met == game::Met::not_asked) return;
@@ -187,9 +166,11 @@ void add_goal_card(std::vector<Shape>& shapes, level::Level const& level, Moment
     std::string const headline = medal == game::Medal::none ? "Goal!" : std::string(metal_of(medal).name) + "!";
     add_headline(shapes, card, headline, palette::gold_deep);
     if (medal != game::Medal::none)
-        for (double const side : {-1.0, 1.0})
-            add_medal(shapes, {card.middle() + side * 190 * card.unit, card.corner.y() + 40 * card.unit},
-                      25 * card.unit, medal, card.presence());
+        for (double const side : {-1.0, 1.0}) {
+            Vec2 const at(card.middle() + side * 190 * card.unit, card.corner.y() + 40 * card.unit);
+            for (Shape& shape : medal_shapes(at, 25 * card.unit, medal, card.presence()))
+                shapes.emplace_back(std::move(shape));
+        }
     add_score(shapes, card, level, status);
     double down = 170;
     for (std::string const& line : lines) {
@@ -207,6 +188,28 @@ void add_message(std::vector<Shape>& shapes, std::string const& headline, double
 }
 
 }  // namespace
+
+std::vector<Shape> medal_shapes(Vec2 const& at, double radius, game::Medal medal, float presence) {
+    std::vector<Shape> shapes;
+    Metal const metal = metal_of(medal);
+    for (double const side : {-1.0, 1.0})
+        shapes.emplace_back(Stroke{at + radius * Vec2(0.15 * side, 0.3), at + radius * Vec2(0.75 * side, 1.75),
+                                   0.5 * radius, faded(side < 0 ? palette::blue : palette::red, presence)});
+    shapes.emplace_back(Disc{at, radius, faded(metal.face, presence), faded(metal.rim, presence), 0.14 * radius, 0});
+    int const stars = medal == game::Medal::gold ? 3 : medal == game::Medal::silver ? 2 : 1;
+    for (int i = 0; i < stars; ++i) {
+        Vec2 const middle = at + radius * Vec2(0.5 * (i - (stars - 1) / 2.0), i == 1 && stars == 3 ? -0.18 : 0.05);
+        Area star;
+        std::vector<Vec2>& ring = star.rings.emplace_back();
+        for (int point = 0; point < 10; ++point) {
+            double const angle = point * 0.62831853 - 1.57079633;
+            ring.push_back(middle + (point % 2 == 0 ? 0.26 : 0.11) * radius * Vec2(std::cos(angle), std::sin(angle)));
+        }
+        star.paint.top = star.paint.bottom = faded(metal.rim, presence);
+        shapes.emplace_back(std::move(star));
+    }
+    return shapes;
+}
 
 std::vector<Shape> ending_shapes(level::Level const& level, Moment const& moment, Vec2 const& size,
                                  EndingNote const& note) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/medals.h"
 #include "level/level.h"
 #include "view/moment.h"
 #include "view/picture.h"
@@ -16,6 +17,9 @@ struct EndingNote {
     std::string hint;            // which key goes on
     std::optional<double> best;  // s, the best time before this one
 };
+
+// A disc on a ribbon; the number of its stars tells the metal without colour.
+std::vector<Shape> medal_shapes(Vec2 const& at, double radius, game::Medal medal, float presence = 1);
 
 // The card, and after the goal confetti; empty while the game goes on.
 std::vector<Shape> ending_shapes(level::Level const& level, Moment const& moment, Vec2 const& size,
