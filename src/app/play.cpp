@@ -30,11 +30,10 @@ Tour tour_for(std::string const& file) {
     return tour_from(levels.front().string());
 }
 
-// With nothing named, the title over a run of the first level.
+// With nothing named, the title over a run of the last level.
 PlayGame game_for(PlayOptions const& options, Tour const& tour, game::MethodWish const& wish) {
-    std::string const& file = tour.files[tour.at];
-    auto const shown = options.file.empty() ? shipped_run_of(file) : std::nullopt;
-    return shown ? title_of_run(shown->string(), wish) : game_of(file, wish);
+    auto const shown = options.file.empty() ? shipped_run_of(tour.files.back()) : std::nullopt;
+    return shown ? title_of_run(shown->string(), wish) : game_of(tour.files[tour.at], wish);
 }
 
 double seconds_now() {
@@ -105,6 +104,7 @@ int play(PlayOptions const& options) {
     game::MethodWish const wish = wish_from(options.method);
     Tour tour = tour_for(options.file);
     PlayGame game = game_for(options, tour, wish);
+    if (!options.ghost.empty()) accompany(game, options.ghost);
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
@@ -119,6 +119,7 @@ Command play_command(CommandLine& program) {
     declare(command, options->method);
     command.takes("--renderer", options->renderer, "auto, gl or software (default: auto)", "NAME");
     command.takes("-s,--size", options->size, "pixels (default: 1280x720)", "WxH");
+    command.takes("--ghost", options->ghost, "a run of the same level that rolls along", "RUN");
     command.takes_flag("--fullscreen", options->fullscreen, "fill the screen");
     command.ends_help_with("Example: smb2d play assets/levels/01-sunny-hills.svg");
     return {command, [options] { return play(*options); }};

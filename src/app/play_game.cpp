@@ -160,10 +160,21 @@ void change_to(PlayGame& game, std::string const& file) {
 void restart(PlayGame& game) {
     view::Lens const lens = game.lens;
     Screen const screen = game.screen;
+    std::shared_ptr<game::Session const> const companion = game.companion;
     change_to(game, game.file);
+    game.companion = companion;
     game.lens = lens;
     game.screen = screen;
     game.wall_time = flight_time;
+}
+
+void accompany(PlayGame& game, std::string const& run) {
+    Opened const opening = opened(run);
+    if (opening.level->hash != game.stage->level.hash)
+        throw std::runtime_error(run + ": is a run of another level than " + game.stage->level.file);
+    auto session = std::make_shared<game::Session>(session_for(opening, {}));
+    game::advance(*session, duration_of(opening.run).value());
+    game.companion = std::move(session);
 }
 
 PlayGame title_of_run(std::string const& run, game::MethodWish const& wish) {

@@ -39,6 +39,7 @@ struct PlayGame {
     double wall_time = 0;              // s, since the level was opened
     double started_at = 0;             // s of wall time, when the waiting was over
     std::optional<double> over_since;  // s of wall time, when the game that the player plays was over
+    std::shared_ptr<game::Session const> companion;  // a run that rolls along as a ghost
     std::optional<game::Session> ghost;  // what was played before the player went on from the past
 
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
@@ -60,6 +61,9 @@ struct PlayGame {
 
 // The run that plays under the title, again and again.
 PlayGame title_of_run(std::string const& run, game::MethodWish const& wish);
+
+// A run that is to roll along with the game. Throws std::runtime_error, also where it is of another level.
+void accompany(PlayGame& game, std::string const& run);
 
 // Throws std::runtime_error. Nothing of a game before it is kept but what `look_of` hands over.
 PlayGame game_of(std::string const& file, game::MethodWish const& wish);

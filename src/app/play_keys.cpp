@@ -201,7 +201,7 @@ Tour tour_from(std::string const& file) {
     Tour tour;
     for (std::filesystem::path const& level : shipped_levels()) tour.files.push_back(level.string());
     for (std::size_t i = 0; i < tour.files.size(); ++i)
-        if (is_same_file(tour.files[i], file)) return {tour.files, i};
+        if (is_same_file(tour.files[i], file)) return {tour.files, i, {}};
     tour.files.insert(tour.files.begin(), file);
     return tour;
 }

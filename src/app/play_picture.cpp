@@ -114,11 +114,12 @@ std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const&
     return {};
 }
 
-std::vector<view::Shape> ghost_shapes(PlayGame const& game, view::Camera const& camera) {
+// Where the player's ball was at this time in another session, as far as that is known.
+std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const& other, view::Camera const& camera) {
     double const time = shown_time(game);
-    if (!game.ghost || time > game.ghost->world.time || time < game.ghost->history.from) return {};
+    if (time > other.world.time || time < other.history.from) return {};
     int const player = game.stage->level.player;
-    physics::State const ball = physics::state_at(game.ghost->history, player, time);
+    physics::State const ball = physics::state_at(other.history, player, time);
     double const radius = game.stage->level.scene.balls[static_cast<std::size_t>(player)].radius * camera.scale;
     return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle);
 }
@@ -142,7 +143,8 @@ view::Picture picture_of(PlayGame const& game) {
         if (game.help) add(view::help_shapes(key_help(), game.size));
         return picture;
     }
-    add(ghost_shapes(game, camera));
+    if (game.ghost) add(ghost_shapes(game, *game.ghost, camera));
+    if (game.companion) add(ghost_shapes(game, *game.companion, camera));
     if (game.pointer && !game.held)
         if (auto const ball = ball_at(game, *game.pointer)) {
             Seen const seen = seen_ball(game, camera, moment, *ball);

@@ -7,11 +7,12 @@ namespace view {
 
 namespace {
 
-constexpr double span = 1.0;             // s, over which the path is averaged; its mean age is two fifths of it
+constexpr double span = 1.0;             // s, over which the place is averaged; its mean age is two fifths of it
 constexpr double mean_age = 0.4 * span;  // s
+constexpr double slow_span = 1.6;        // s, over which the velocity is, which is what turns round at a bounce
 constexpr double spacing = 1.0 / 60;     // s, the path is taken as straight between whole multiples of it
 constexpr double ahead = 0.3;            // s, how far ahead it looks in a steady motion, sideways
-static_assert(span + 2 * spacing < camera_memory);
+static_assert(slow_span + 2 * spacing < camera_memory);
 
 // Up to the limits exactly x; smooth, and never beyond `most`, where |x| exceeds `free`.
 double softly_limited(double x, double free, double most) {
@@ -43,36 +44,41 @@ Vec2 followed(level::Level const& level, physics::History const& history, double
     return place;
 }
 
-// The kernel over age by which the path is averaged, of area 1, and its derivative: 0 at both ends, so that the mean
-// velocity is continuous where the ball's is not.
-double weight(double age) { return 12 * age * (span - age) * (span - age) / (span * span * span * span); }
-double slope(double age) { return 12 * (span - age) * (span - 3 * age) / (span * span * span * span); }
+// The kernel over age by which the path is averaged, of area 1, and its derivative: the kernel and, at the far end, its
+// slope are 0, so that the mean velocity is continuous where the ball's is not.
+double weight(double age, double over) {
+    return age < over ? 12 * age * (over - age) * (over - age) / (over * over * over * over) : 0;
+}
+double slope(double age, double over) {
+    return age < over ? 12 * (over - age) * (over - 3 * age) / (over * over * over * over) : 0;
+}
 
 struct Mean {
     Vec2 position = Vec2::Zero();  // m
     Vec2 velocity = Vec2::Zero();  // m/s
 };
 
-// The integrals of weight(age) times position and velocity. The path is a chain of chords whose joints stand still
+// The integrals of the weights times position and velocity, from where the ball is now. The path is a chain of chords whose joints stand still
 // while time goes on; over each of them three points of Gauss are exact.
 Mean mean_of_path(level::Level const& level, physics::History const& history, double time) {
     struct Point {
         double place, share;
     };
-    static double const off = std::sqrt(0.6);
-    Point const points[] = {{-off, 5.0 / 18}, {0, 8.0 / 18}, {off, 5.0 / 18}};
-    Mean mean;
+    static double const node = std::sqrt(0.6);
+    Point const points[] = {{-node, 5.0 / 18}, {0, 8.0 / 18}, {node, 5.0 / 18}};
+    Vec2 const now = followed(level, history, time);
+    Mean mean{now, Vec2::Zero()};
     double end = time;
-    Vec2 place = followed(level, history, time);
-    for (double joint = std::ceil(time / spacing) - 1; end > time - span; --joint) {
+    Vec2 place = now;
+    for (double joint = std::ceil(time / spacing) - 1; end > time - slow_span; --joint) {
         double const start = joint * spacing;
         Vec2 const before = followed(level, history, start);
-        double const from = std::max(start, time - span);
+        double const from = std::max(start, time - slow_span);
         for (Point const& point : points) {
             double const when = (from + end) / 2 + (end - from) / 2 * point.place;
-            Vec2 const position = before + (place - before) * ((when - start) / (end - start));
-            mean.position += (end - from) * point.share * weight(time - when) * position;
-            mean.velocity += (end - from) * point.share * slope(time - when) * position;
+            Vec2 const off = before + (place - before) * ((when - start) / (end - start)) - now;
+            mean.position += (end - from) * point.share * weight(time - when, span) * off;
+            mean.velocity += (end - from) * point.share * slope(time - when, slow_span) * off;
         }
         end = start;
         place = before;

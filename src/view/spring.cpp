@@ -8,15 +8,18 @@ namespace view {
 
 namespace {
 
-constexpr int half_turns = 22;
+constexpr int most_half_turns = 22;
+constexpr double least_pitch = 1.1;  // units: a short spring shows fewer turns, not a block
 
 // The coil from the side: half turns in front lean one way, those behind the other.
-std::vector<Vec2> coil(Vec2 const& from, Vec2 const& to, double lead, double amplitude) {
+std::vector<Vec2> coil(Vec2 const& from, Vec2 const& to, double lead, double amplitude, double unit) {
     Vec2 const way = to - from;
     double const length = geometry::length(way);
     Vec2 const along = way / length;
     Vec2 const across = geometry::turned_left(along);
     std::vector<Vec2> points = {from, from + lead * along};
+    int const half_turns =
+        std::clamp(static_cast<int>((length - 2 * lead) / (least_pitch * unit)), 2, most_half_turns);
     double const pitch = (length - 2 * lead) / half_turns;
     for (int i = 0; i < half_turns; ++i) {
         double const side = i % 2 == 0 ? amplitude : -amplitude;
@@ -50,7 +53,7 @@ std::vector<Shape> spring_shapes(level::Level const& level, Moment const& moment
         // The wire keeps its length: a coil that is drawn out becomes slimmer.
         double const amplitude = 3.6 * unit * std::sqrt(std::max(0.12, 1 - stretch * stretch));
         double const lead = std::min(3 * unit, 0.2 * length);
-        std::vector<Vec2> const points = coil(from, to, lead, amplitude);
+        std::vector<Vec2> const points = coil(from, to, lead, amplitude, unit);
         std::size_t const last = points.size() - 1;
         for (std::size_t i = 0; i < last; ++i)
             shapes.emplace_back(Stroke{points[i], points[i + 1], 1.35 * unit, faded(palette::ink, 0.85f)});
