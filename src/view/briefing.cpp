@@ -108,7 +108,10 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
     if (presence <= 0) return shapes;
     float const alpha = static_cast<float>(std::min(presence, 1.0));
     double const unit = hud_scale(size), letters = 20 * unit, line = 27 * unit;
-    std::vector<std::string> lines = lines_of(level.hint, 74);
+    // Lines of about equal length, as few as fit.
+    std::size_t constexpr most_letters = 76, slack = 8;
+    std::size_t const count = level.hint.size() / most_letters + 1;
+    std::vector<std::string> const lines = lines_of(level.hint, std::min(most_letters, level.hint.size() / count + slack));
     std::string const verbs = verbs_of(level), asked = asked_for(level);
     double const width = std::min(880 * unit, size.x() - 24 * unit);
     double const height = 62 * unit + line * static_cast<double>(lines.size());
