@@ -7,12 +7,17 @@ namespace view {
 
 namespace {
 
-constexpr double span = 1.0;             // s, over which the place is averaged; its mean age is two fifths of it
-constexpr double mean_age = 0.4 * span;  // s
-constexpr double slow_span = 1.6;        // s, over which the velocity is, which is what turns round at a bounce
-constexpr double spacing = 1.0 / 60;     // s, the path is taken as straight between whole multiples of it
-constexpr double ahead = 0.3;            // s, how far ahead it looks in a steady motion, sideways
-static_assert(slow_span + 2 * spacing < camera_memory);
+// Sideways and up: over which time, s, the place and the velocity are averaged. The velocity turns round at a bounce, so
+// it is the one that must be slow. Up and down there is less room to lag behind in.
+struct Spans {
+    double place, velocity;
+    double mean_age() const { return 0.4 * place; }  // of weight()
+};
+constexpr Spans spans[] = {{1.0, 1.6}, {0.7, 1.2}};
+constexpr double longest_span = 1.6;  // s
+constexpr double spacing = 1.0 / 60;  // s, the path is taken as straight between whole multiples of it
+constexpr double ahead = 0.3;         // s, how far ahead it looks in a steady motion, sideways
+static_assert(longest_span + 2 * spacing < camera_memory);
 
 // Up to the limits exactly x; smooth, and never beyond `most`, where |x| exceeds `free`.
 double softly_limited(double x, double free, double most) {
@@ -70,15 +75,18 @@ Mean mean_of_path(level::Level const& level, physics::History const& history, do
     Mean mean{now, Vec2::Zero()};
     double end = time;
     Vec2 place = now;
-    for (double joint = std::ceil(time / spacing) - 1; end > time - slow_span; --joint) {
+    for (double joint = std::ceil(time / spacing) - 1; end > time - longest_span; --joint) {
         double const start = joint * spacing;
         Vec2 const before = followed(level, history, start);
-        double const from = std::max(start, time - slow_span);
+        double const from = std::max(start, time - longest_span);
         for (Point const& point : points) {
             double const when = (from + end) / 2 + (end - from) / 2 * point.place;
             Vec2 const off = before + (place - before) * ((when - start) / (end - start)) - now;
-            mean.position += (end - from) * point.share * weight(time - when, span) * off;
-            mean.velocity += (end - from) * point.share * slope(time - when, slow_span) * off;
+            for (int axis = 0; axis < 2; ++axis) {
+                double const share = (end - from) * point.share * off[axis];
+                mean.position[axis] += share * weight(time - when, spans[axis].place);
+                mean.velocity[axis] += share * slope(time - when, spans[axis].velocity);
+            }
         }
         end = start;
         place = before;
@@ -125,14 +133,19 @@ void show_whole(Camera& camera, level::Level const& level, Vec2 const& ball, dou
     camera.scale /= farther;
 }
 
-// One axis: ahead of the ball, within the level where it is larger than the view, and never without the ball.
+// One axis: ahead of the ball, within the level where it is larger than the view, as far beyond it as the ball is, and
+// never without the ball.
 struct Axis {
     double ball, looked_at, radius;  // m
     double extent, view;             // m, of the level and of what is seen of it
 };
 double followed_by(Axis const& axis) {
     auto const& [ball, looked_at, radius, extent, view] = axis;
-    double const centre = extent > view ? softly_within(looked_at, view / 2, extent - view / 2) : extent / 2;
+    double const margin = std::max(0.0, (view - extent) / 2), width = 3 * radius;
+    double const below = softly_above(radius - margin - ball, 0, width);
+    double const above = softly_above(ball + radius - extent - margin, 0, width);
+    double const low = std::min(view, extent) / 2 - below, high = std::max(extent - view / 2, extent / 2) + above;
+    double const centre = softly_within(looked_at, low, high);
     double const most = std::max(0.25 * view, 0.5 * view - radius);
     return ball - softly_limited(ball - centre, most - std::min(radius, 0.2 * most), most);
 }
@@ -170,7 +183,7 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
     }
     Mean const mean = mean_of_path(level, history, time);
     // Up and down it looks where the ball is: a bouncing one would rock the picture.
-    Vec2 const lead(mean_age + ahead, mean_age);
+    Vec2 const lead(spans[0].mean_age() + ahead, spans[1].mean_age());
     for (int i = 0; i < 2; ++i) {
         double const lead_length = softly_limited(mean.velocity[i] * lead[i], 0, 0.3 * view[i]);
         double const looked_at = mean.position[i] + lead_length + lens.pan[i];
