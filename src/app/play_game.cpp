@@ -67,7 +67,8 @@ void learn(PlayGame& game, game::Lesson lesson) {
 
 // After the goal the ball rolls on; after a fall, or when the time is over, there is nothing more to come.
 bool has_come_to_an_end(PlayGame const& game) {
-    return game.over_since && !game.session.goal_time && game.wall_time - *game.over_since > falling_time;
+    if (!game.over_since || game.session.goal_time || game.replay_end) return false;
+    return game.wall_time - *game.over_since > falling_time;
 }
 
 // Where the pointer that drags a ball is in the world, which depends on where the camera is.
@@ -124,9 +125,9 @@ void let_time_pass(PlayGame& game, double from) {
         game::advance(game.session, now);
     game::keep_past(game.session, present_time(game));
     note_goal(game);
-    if (!is_over(game) || game.replay_end) return;
+    if (!is_over(game)) return;
     if (!game.over_since) game.over_since = game.wall_time;
-    release(game);
+    if (!game.replay_end) release(game);
 }
 
 }  // namespace

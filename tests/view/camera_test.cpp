@@ -172,6 +172,22 @@ TEST_CASE("over all shipped runs the camera keeps the ball in sight and starts a
     }
 }
 
+TEST_CASE("in every experiment the ball is in sight until it has fallen out") {
+    for (auto const& entry : std::filesystem::directory_iterator(ASSETS "/lab")) {
+        CAPTURE(entry.path().filename().string());
+        auto const level = std::make_shared<level::Level const>(level::read_level(entry.path().string()));
+        game::Session session = game::session_of(level, game::method_for({}, level->scene));
+        game::advance(session, 10);
+        bool lost = false;
+        for (double time = 0; time < std::min(10.0, session.fall_time.value_or(10)); time += 1.0 / 60) {
+            Vec2 const ball = physics::state_at(session.history, level->player, time).position;
+            Vec2 const pixel = view::pixel_of(view::camera_at(*level, session.history, time, Vec2(640, 360)), ball);
+            lost = lost || pixel.x() < 0 || pixel.y() < 0 || pixel.x() > 640 || pixel.y() > 360;
+        }
+        CHECK_FALSE(lost);
+    }
+}
+
 TEST_CASE("in a steady motion the camera looks ahead") {
     level::Level const level = floor_level(300, 30);
     physics::State start;
