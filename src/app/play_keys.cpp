@@ -100,6 +100,14 @@ bool listen_on_picker(SDL_Event const& event, PlayGame& game, Tour& tour, screen
     return true;
 }
 
+// The first level without a best time, else the first.
+std::size_t first_unfinished(Tour const& tour) {
+    Picker const levels = picker_of(tour.files, 0);
+    auto const unfinished = std::find_if(levels.tiles.begin(), levels.tiles.end(),
+                                         [](view::Tile const& tile) { return tile.thumbnail && !tile.best; });
+    return unfinished == levels.tiles.end() ? 0 : static_cast<std::size_t>(unfinished - levels.tiles.begin());
+}
+
 // Under the title nearly every key starts the game.
 Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
     bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
@@ -113,7 +121,7 @@ Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen:
     else if (key == SDLK_F11)
         window.toggle_fullscreen();
     else
-        go_to_level(game, tour, 0, window);
+        go_to_level(game, tour, first_unfinished(tour), window);
     return Wish::stay;
 }
 
