@@ -34,13 +34,13 @@ struct PlayGame {
     std::shared_ptr<view::Stage const> stage;
     game::Session session;
     game::Pace pace;
-    std::optional<double> replay_end;  // s, while a run is being replayed
-    bool waiting = false;              // the world waits for the player's first input
-    double wall_time = 0;              // s, since the level was opened
-    double started_at = 0;             // s of wall time, when the waiting was over
-    std::optional<double> over_since;  // s of wall time, when the game that the player plays was over
+    std::optional<double> replay_end;                // s, while a run is being replayed
+    bool waiting = false;                            // the world waits for the player's first input
+    double wall_time = 0;                            // s, since the level was opened
+    double started_at = 0;                           // s of wall time, when the waiting was over
+    std::optional<double> over_since;                // s of wall time, when the game that the player plays was over
     std::shared_ptr<game::Session const> companion;  // a run that rolls along as a ghost
-    std::optional<game::Session> ghost;  // what was played before the player went on from the past
+    std::optional<game::Session> ghost;              // what was played before the player went on from the past
 
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
     view::Lens lens;
@@ -53,10 +53,10 @@ struct PlayGame {
     int lean = 0;                     // -1, 0, 1: to which side the stage is being tilted
     Toast toast;
     bool help = false;
-    bool on_timeline = false;               // the pointer drags the moment that is looked at
-    bool noted = false;                     // the time of reaching the goal has been noted
-    std::optional<double> best_before;      // s, the level's best time when it was opened
-    std::set<game::Lesson> learnt;          // what need not be shown again
+    bool on_timeline = false;           // the pointer drags the moment that is looked at
+    bool noted = false;                 // the time of reaching the goal has been noted
+    std::optional<double> best_before;  // s, the level's best time when it was opened
+    std::set<game::Lesson> learnt;      // what need not be shown again
 };
 
 // The run that plays under the title, again and again.

@@ -95,8 +95,7 @@ struct Seen {
 };
 Seen seen_ball(PlayGame const& game, view::Camera const& camera, view::Moment const& moment, int ball) {
     auto const i = static_cast<std::size_t>(ball);
-    return {view::pixel_of(camera, moment.balls[i].position),
-            game.stage->level.scene.balls[i].radius * camera.scale};
+    return {view::pixel_of(camera, moment.balls[i].position), game.stage->level.scene.balls[i].radius * camera.scale};
 }
 
 // What the player has yet to learn, shown while the world waits: first the pull, then the tilt.

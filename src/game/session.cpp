@@ -214,8 +214,7 @@ Status status_at(Session const& session, double time) {
     for (std::size_t i = 0; i < session.noticed_at.size(); ++i)
         if (session.level->meanings[i] == level::Meaning::banana && session.noticed_at[i] <= time) ++status.bananas;
     auto const& pulled_at = session.pulled_at;
-    status.pulls =
-        static_cast<int>(std::upper_bound(pulled_at.begin(), pulled_at.end(), time) - pulled_at.begin());
+    status.pulls = static_cast<int>(std::upper_bound(pulled_at.begin(), pulled_at.end(), time) - pulled_at.begin());
     if (session.goal_time && *session.goal_time <= time) status.goal_time = session.goal_time;
     if (session.fall_time && *session.fall_time <= time) status.fall_time = session.fall_time;
     auto const& limit = session.level->time_limit;

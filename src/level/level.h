@@ -66,7 +66,7 @@ struct Level {
     double tilt_limit = 0.4;                 // rad
     Pars pars;
     Look look;
-    std::vector<Outline> outlines;           // of the terrain
+    std::vector<Outline> outlines;  // of the terrain
     std::vector<Decoration> decorations;
     std::vector<Finding> misspellings;  // classes a letter away from a role, of which every command warns
 };

@@ -51,12 +51,9 @@ void add_hand(std::vector<Shape>& shapes, Vec2 const& tip, double size) {
         Vec2 from, to;
         double width;
     };
-    Part const parts[] = {{{0.02, 0.1}, {0.16, 0.75}, 0.2},
-                          {{0.24, 0.62}, {0.28, 0.85}, 0.2},
-                          {{0.44, 0.62}, {0.44, 0.85}, 0.2},
-                          {{0.62, 0.68}, {0.58, 0.9}, 0.18},
-                          {{-0.12, 0.72}, {0.1, 0.98}, 0.18},
-                          {{0.2, 0.95}, {0.5, 0.95}, 0.42},
+    Part const parts[] = {{{0.02, 0.1}, {0.16, 0.75}, 0.2},   {{0.24, 0.62}, {0.28, 0.85}, 0.2},
+                          {{0.44, 0.62}, {0.44, 0.85}, 0.2},  {{0.62, 0.68}, {0.58, 0.9}, 0.18},
+                          {{-0.12, 0.72}, {0.1, 0.98}, 0.18}, {{0.2, 0.95}, {0.5, 0.95}, 0.42},
                           {{0.3, 1.1}, {0.42, 1.22}, 0.42}};
     for (double const rim : {0.1, 0.0})
         for (Part const& part : parts)
@@ -85,21 +82,24 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size) {
     double const bob = 5 * unit * std::sin(1.6 * time);
     add_rimmed(shapes, Label{middle + Vec2(0, bob - 42 * unit), 60 * unit, "Super", palette::bright, Anchor::Centre},
                5 * unit, palette::ink);
-    add_rimmed(shapes, Label{middle + Vec2(0, bob + 44 * unit), 104 * unit, "Monkey Ball", palette::gold,
-                             Anchor::Centre},
+    add_rimmed(shapes,
+               Label{middle + Vec2(0, bob + 44 * unit), 104 * unit, "Monkey Ball", palette::gold, Anchor::Centre},
                7 * unit, palette::ink);
-    add_rimmed(shapes, Label{middle + Vec2(268 * unit, bob + 104 * unit), 56 * unit, "2D", palette::strain,
-                             Anchor::Centre},
+    add_rimmed(shapes,
+               Label{middle + Vec2(268 * unit, bob + 104 * unit), 56 * unit, "2D", palette::strain, Anchor::Centre},
                5 * unit, palette::ink);
     std::string const call = "Press a key or click to start";
     double const letters = 28 * unit, width = text_width(call) * letters + 60 * unit;
     float const glow = static_cast<float>(0.8 + 0.2 * std::sin(3.2 * time));
     Vec2 const corner((size.x() - width) / 2, 0.72 * size.y());
     shapes.emplace_back(Panel{corner, {width, 52 * unit}, 26 * unit, palette::night});
-    shapes.emplace_back(Label{{size.x() / 2, corner.y() + 35 * unit}, letters, call, faded(palette::bright, glow),
+    shapes.emplace_back(
+        Label{{size.x() / 2, corner.y() + 35 * unit}, letters, call, faded(palette::bright, glow), Anchor::Centre});
+    shapes.emplace_back(Label{{size.x() / 2, size.y() - 18 * unit},
+                              17 * unit,
+                              "L: all levels    F1: all keys    F11: full screen    Esc: quit",
+                              palette::bright,
                               Anchor::Centre});
-    shapes.emplace_back(Label{{size.x() / 2, size.y() - 18 * unit}, 17 * unit, "L: all levels    F1: all keys    F11: full screen    Esc: quit",
-                              palette::bright, Anchor::Centre});
     return shapes;
 }
 
@@ -111,7 +111,8 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
     // Lines of about equal length, as few as fit.
     std::size_t constexpr most_letters = 76, slack = 8;
     std::size_t const count = level.hint.size() / most_letters + 1;
-    std::vector<std::string> const lines = lines_of(level.hint, std::min(most_letters, level.hint.size() / count + slack));
+    std::vector<std::string> const lines =
+        lines_of(level.hint, std::min(most_letters, level.hint.size() / count + slack));
     std::string const verbs = verbs_of(level), asked = asked_for(level);
     double const width = std::min(880 * unit, size.x() - 24 * unit);
     double const height = 62 * unit + line * static_cast<double>(lines.size());

@@ -7,8 +7,8 @@ namespace view {
 
 namespace {
 
-// Sideways and up: over which time, s, the place and the velocity are averaged. The velocity turns round at a bounce, so
-// it is the one that must be slow. Up and down there is less room to lag behind in.
+// Sideways and up: over which time, s, the place and the velocity are averaged. The velocity turns round at a bounce,
+// so it is the one that must be slow. Up and down there is less room to lag behind in.
 struct Spans {
     double place, velocity;
     double mean_age() const { return 0.4 * place; }  // of weight()
@@ -63,8 +63,8 @@ struct Mean {
     Vec2 velocity = Vec2::Zero();  // m/s
 };
 
-// The integrals of the weights times position and velocity, from where the ball is now. The path is a chain of chords whose joints stand still
-// while time goes on; over each of them three points of Gauss are exact.
+// The integrals of the weights times position and velocity, from where the ball is now. The path is a chain of chords
+// whose joints stand still while time goes on; over each of them three points of Gauss are exact.
 Mean mean_of_path(level::Level const& level, physics::History const& history, double time) {
     struct Point {
         double place, share;

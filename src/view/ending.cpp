@@ -129,7 +129,8 @@ void add_score(std::vector<Shape>& shapes, Card const& card, level::Level const&
         if (item.asked.empty()) continue;
         Vec2 const below = at + Vec2(10, 26) * card.unit;
         double const half = 0.5 * text_width(item.asked) * 18 * card.unit;
-        shapes.emplace_back(Label{below, 18 * card.unit, item.asked, faded(colour(0x5b6a77), presence), Anchor::Centre});
+        shapes.emplace_back(
+            Label{below, 18 * card.unit, item.asked, faded(colour(0x5b6a77), presence), Anchor::Centre});
         add_tick(shapes, below - Vec2(half + 12 * card.unit, 6 * card.unit), 15 * card.unit, item.met, presence);
     }
 }

@@ -28,8 +28,7 @@ void add_spring_mark(std::vector<Shape>& shapes, Vec2 const& at, double size) {
     auto const point = [&](int i) -> Vec2 {
         return at + size * Vec2(-0.5 + i / 6.0, i == 0 || i == 6 ? 0.0 : i % 2 == 0 ? 0.35 : -0.35);
     };
-    for (int i = 0; i < 6; ++i)
-        shapes.emplace_back(Stroke{point(i), point(i + 1), 0.13 * size, palette::steel});
+    for (int i = 0; i < 6; ++i) shapes.emplace_back(Stroke{point(i), point(i + 1), 0.13 * size, palette::steel});
     shapes.emplace_back(Disc{point(6), 0.16 * size, palette::strain, {}, 0, 0});
 }
 

@@ -86,8 +86,7 @@ void add_thumbnail(std::vector<Shape>& shapes, Thumbnail const& thumbnail, Frame
 void add_tile(std::vector<Shape>& shapes, Tile const& tile, std::size_t number, bool is_chosen, Frame const& frame,
               double unit) {
     Vec2 const edge = Vec2(5, 5) * unit;
-    if (is_chosen)
-        shapes.emplace_back(Panel{frame.corner - edge, frame.size + 2 * edge, 8 * unit, palette::gold});
+    if (is_chosen) shapes.emplace_back(Panel{frame.corner - edge, frame.size + 2 * edge, 8 * unit, palette::gold});
     if (tile.thumbnail) {
         add_thumbnail(shapes, *tile.thumbnail, frame);
     } else {
@@ -96,8 +95,8 @@ void add_tile(std::vector<Shape>& shapes, Tile const& tile, std::size_t number, 
         shapes.emplace_back(Label{middle, 20 * unit, "cannot be played", palette::strain, Anchor::Centre});
     }
     if (tile.medal != game::Medal::none)
-        for (Shape& shape : medal_shapes(frame.corner + Vec2(frame.size.x() - 24 * unit, 24 * unit), 15 * unit,
-                                         tile.medal))
+        for (Shape& shape :
+             medal_shapes(frame.corner + Vec2(frame.size.x() - 24 * unit, 24 * unit), 15 * unit, tile.medal))
             shapes.emplace_back(std::move(shape));
     std::string const name = std::to_string(number + 1) + "  " + tile.title;
     double const letters = std::min(18 * unit, 0.74 * frame.size.x() / text_width(name));
@@ -105,8 +104,11 @@ void add_tile(std::vector<Shape>& shapes, Tile const& tile, std::size_t number, 
     Colour const paint = is_chosen ? palette::gold : palette::bright;
     shapes.emplace_back(Label{{frame.corner.x(), base}, letters, name, paint, Anchor::Left});
     if (tile.best)
-        shapes.emplace_back(Label{{frame.corner.x() + frame.size.x(), base}, 18 * unit, written(*tile.best, 2) + " s",
-                                  palette::dim, Anchor::Right});
+        shapes.emplace_back(Label{{frame.corner.x() + frame.size.x(), base},
+                                  18 * unit,
+                                  written(*tile.best, 2) + " s",
+                                  palette::dim,
+                                  Anchor::Right});
 }
 
 }  // namespace
@@ -167,8 +169,11 @@ Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 
     for (std::size_t i = 0; i < tiles.size(); ++i)
         if (auto const frame = frame_of(i, tiles.size(), chosen, size))
             add_tile(shapes, tiles[i], i, i == chosen, *frame, unit);
-    shapes.emplace_back(Label{{size.x() / 2, size.y() / 2 + 350 * unit}, 16 * unit,
-                              "arrows and Enter, or click: play    Esc: back", palette::dim, Anchor::Centre});
+    shapes.emplace_back(Label{{size.x() / 2, size.y() / 2 + 350 * unit},
+                              16 * unit,
+                              "arrows and Enter, or click: play    Esc: back",
+                              palette::dim,
+                              Anchor::Centre});
     return picture;
 }
 

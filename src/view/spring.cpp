@@ -18,8 +18,7 @@ std::vector<Vec2> coil(Vec2 const& from, Vec2 const& to, double lead, double amp
     Vec2 const along = way / length;
     Vec2 const across = geometry::turned_left(along);
     std::vector<Vec2> points = {from, from + lead * along};
-    int const half_turns =
-        std::clamp(static_cast<int>((length - 2 * lead) / (least_pitch * unit)), 2, most_half_turns);
+    int const half_turns = std::clamp(static_cast<int>((length - 2 * lead) / (least_pitch * unit)), 2, most_half_turns);
     double const pitch = (length - 2 * lead) / half_turns;
     for (int i = 0; i < half_turns; ++i) {
         double const side = i % 2 == 0 ? amplitude : -amplitude;

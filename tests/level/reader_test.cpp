@@ -87,8 +87,7 @@ TEST_CASE("the root says what is asked for and what lies behind") {
     CHECK(level.look.clouds == "#ffffff");
     CHECK(fault_of(with("", "data-pulls=\"1.5\"")).find("data-pulls must be a whole number") != std::string::npos);
     CHECK(fault_of(with("", "data-sky=\"red\"")).find("data-sky must be 2 colours, got red") != std::string::npos);
-    CHECK(fault_of(with("", "data-sun=\"bright\"")).find("data-sun must be 1 colour, got bright") !=
-          std::string::npos);
+    CHECK(fault_of(with("", "data-sun=\"bright\"")).find("data-sun must be 1 colour, got bright") != std::string::npos);
 }
 
 TEST_CASE("the title is the level's name, else the file's") {

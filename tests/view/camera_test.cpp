@@ -139,8 +139,8 @@ TEST_CASE("the camera's velocity is continuous and its acceleration bounded, als
     double const step = 1e-3;
     double greatest = 0;
     for (double time = 0.01; time < 5; time += step)
-        greatest = std::max(greatest,
-                            std::abs(centre(time + step) - 2 * centre(time) + centre(time - step)) / (step * step));
+        greatest =
+            std::max(greatest, std::abs(centre(time + step) - 2 * centre(time) + centre(time - step)) / (step * step));
     // The slope of the kernel at age 0, 12 / (1.6 s)^2, times the lead of 0.7 s and the change of velocity, twice the
     // speed; half as much again for the place. Were its velocity to jump by a tenth of it, this would be 800 m/s^2.
     CHECK(greatest < 12 / (1.6 * 1.6) * 0.7 * 2 * speed * 1.5);

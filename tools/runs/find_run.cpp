@@ -84,8 +84,8 @@ public:
         int most = 0;
         for (Node const& node : nodes_) most = std::max(most, node.bananas);
         char text[160];
-        std::snprintf(text, sizeof text, "%zu cells, %d of %d bananas, won %d times, best %.2f s, kept by %d of %d", cells_.size(),
-                      most, all_bananas_, won_, best_time_, best_kept_, trials);
+        std::snprintf(text, sizeof text, "%zu cells, %d of %d bananas, won %d times, best %.2f s, kept by %d of %d",
+                      cells_.size(), most, all_bananas_, won_, best_time_, best_kept_, trials);
         return text;
     }
 
@@ -165,9 +165,8 @@ private:
         int const lengths[] = {1, 2, 3, 4, 6, 8, 12, 20, 30};
         int const ticks = lengths[below(std::size(lengths))];
         bool const pulls = level_->drag_reach > 0, tilts = level_->tilt_limit > 0;
-        bool const has_pulls_left =
-            node.session.world.forces.pull || !level_->pars.pulls ||
-            static_cast<int>(node.session.pulled_at.size()) < *level_->pars.pulls;
+        bool const has_pulls_left = node.session.world.forces.pull || !level_->pars.pulls ||
+                                    static_cast<int>(node.session.pulled_at.size()) < *level_->pars.pulls;
         double const what = uniform(0, 1);
         if (pulls && has_pulls_left && what < (tilts ? 0.4 : 0.7)) return pull(node, ticks);
         if (node.session.world.forces.pull) act(node, game::Release{});
@@ -193,7 +192,8 @@ private:
     std::optional<double> won_with(std::vector<game::Input> inputs, double until) const {
         Session session = game::session_of(level_, method_, std::move(inputs));
         game::advance(session, until);
-        if (!session.goal_time || game::status_at(session, *session.goal_time).bananas < all_bananas_) return std::nullopt;
+        if (!session.goal_time || game::status_at(session, *session.goal_time).bananas < all_bananas_)
+            return std::nullopt;
         return session.goal_time;
     }
 
