@@ -35,6 +35,14 @@ std::optional<files::path> asset_folder() {
 
 std::vector<files::path> shipped_levels() { return drawings_in("levels"); }
 
+std::optional<files::path> shipped_run_of(files::path const& level) {
+    auto const assets = asset_folder();
+    if (!assets) return std::nullopt;
+    files::path const run = *assets / "runs" / (level.stem().string() + ".json");
+    std::error_code missing;
+    return files::is_regular_file(run, missing) ? std::optional(run) : std::nullopt;
+}
+
 std::vector<files::path> shipped_experiments() { return drawings_in("lab"); }
 
 }  // namespace app

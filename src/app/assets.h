@@ -13,6 +13,9 @@ std::optional<std::filesystem::path> asset_folder();
 // The levels of the game in the order in which they are played, by name.
 std::vector<std::filesystem::path> shipped_levels();
 
+// The run that shows how a level is won, as far as there is one.
+std::optional<std::filesystem::path> shipped_run_of(std::filesystem::path const& level);
+
 // The experiments with known answers, by name.
 std::vector<std::filesystem::path> shipped_experiments();
 

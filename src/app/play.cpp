@@ -22,11 +22,18 @@ screen::Renderer renderer_from(std::string const& name) {
     throw UsageError("--renderer: must be auto, gl or software, got \"" + name + "\"");
 }
 
-std::string file_to_play(PlayOptions const& options) {
-    if (!options.file.empty()) return options.file;
+Tour tour_for(std::string const& file) {
+    std::error_code missing;
+    if (!file.empty()) return std::filesystem::is_directory(file, missing) ? tour_of_folder(file) : tour_from(file);
     auto const levels = shipped_levels();
     if (levels.empty()) throw std::runtime_error("the levels that ship with this program were not found; name a level");
-    return levels.front().string();
+    return tour_from(levels.front().string());
+}
+
+// With nothing named, the title over a run of the last level.
+PlayGame game_for(PlayOptions const& options, Tour const& tour, game::MethodWish const& wish) {
+    auto const shown = options.file.empty() ? shipped_run_of(tour.files.back()) : std::nullopt;
+    return shown ? title_of_run(shown->string(), wish) : game_of(tour.files[tour.at], wish);
 }
 
 double seconds_now() {
@@ -55,7 +62,7 @@ private:
 void show_cursor(Cursors& cursors, PlayGame const& game, screen::Window const& window) {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
-    bool const grips = game.held || is_over_ball(game, Vec2(x, y) * window.pixel_ratio());
+    bool const grips = game.held || ball_at(game, Vec2(x, y) * window.pixel_ratio());
     cursors.show(grips ? Cursors::Shape::hand : Cursors::Shape::arrow);
 }
 
@@ -73,13 +80,18 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
             if (listen(event, game, tour, window) == Wish::quit) return;
         fit(game, window);
         double const now = seconds_now();
-        if (follow_file(game, now - last)) {
+        double const elapsed = now - last;
+        last = now;
+        if (tour.picker) {
+            window.present(picture_of(*tour.picker, game.size));
+            continue;
+        }
+        if (follow_file(game, elapsed)) {
             window.release_pointer();
             window.retitle(title_of(game));
         }
-        pass(game, now - last);
-        scrub_by_keys(game, now - last);
-        last = now;
+        pass(game, elapsed);
+        scrub_by_keys(game, elapsed);
         show_cursor(cursors, game, window);
         window.present(picture_of(game));
     }
@@ -94,24 +106,24 @@ int play(PlayOptions const& options) {
     settings.width = size.width;
     settings.height = size.height;
     game::MethodWish const wish = wish_from(options.method);
-    std::string const file = file_to_play(options);
-    PlayGame game = game_of(file, wish);
-    Tour tour = tour_from(file);
+    Tour tour = tour_for(options.file);
+    PlayGame game = game_for(options, tour, wish);
+    if (!options.ghost.empty()) accompany(game, options.ghost);
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
-    say(game, "Press on the ball and drag it.   F1: all keys");
     loop(game, tour, window);
     return done;
 }
 
 Command play_command(CommandLine& program) {
-    Subcommand command = program.add("play", "The window; without a file, the first level");
+    Subcommand command = program.add("play", "The window; without a file, the title and then the levels");
     auto const options = std::make_shared<PlayOptions>();
-    command.takes("file", options->file, "a level (.svg) or a run (.json)", "LEVEL|RUN");
+    command.takes("file", options->file, "a level (.svg), a run (.json) or a folder of levels", "LEVEL|RUN|FOLDER");
     declare(command, options->method);
     command.takes("--renderer", options->renderer, "auto, gl or software (default: auto)", "NAME");
     command.takes("-s,--size", options->size, "pixels (default: 1280x720)", "WxH");
+    command.takes("--ghost", options->ghost, "a run of the same level that rolls along", "RUN");
     command.takes_flag("--fullscreen", options->fullscreen, "fill the screen");
     command.ends_help_with("Example: smb2d play assets/levels/01-sunny-hills.svg");
     return {command, [options] { return play(*options); }};

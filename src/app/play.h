@@ -11,6 +11,7 @@ struct PlayOptions {
     std::string file;  // a level or a run; empty = the first level
     MethodOptions method;
     std::string renderer = "auto", size = "1280x720";
+    std::string ghost;  // a run that rolls along; empty = none
     bool fullscreen = false;
 };
 

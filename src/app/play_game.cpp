@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/play_save.h"
 #include "game/best_times.h"
+#include "game/medals.h"
 #include "game/past.h"
 #include "game/run_file.h"
 #include "view/hud.h"
@@ -16,6 +17,11 @@ namespace {
 
 constexpr double toast_length = 4;    // s
 constexpr double leaning_time = 0.3;  // s from level to the tilt limit
+constexpr double near_ball = 2;       // radii: a press so near takes hold of it
+constexpr double near_small = 22;     // pixels of a picture of 1280x720: the same for a ball that looks small
+constexpr double flight_time = 1.8;   // s on the wall, from the goal to the ball
+constexpr double card_time = 0.6;     // s on the wall, before a press closes a card
+constexpr double falling_time = 1.5;  // s on the wall: so long after a fall the world stands still
 // A stepping method may be a step ahead of what is shown.
 static_assert(game::PastLimits{}.shortest > view::camera_memory + 1 / game::lowest_rate);
 
@@ -32,18 +38,13 @@ void open_session(PlayGame& game, Opened const& opening) {
     game.sent.reset();
     game.looked_at.reset();
     game.noted = opening.is_run;
-}
-
-std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel) {
-    Vec2 const point = view::world_of(camera_of(game), pixel);
-    level::Level const& level = game.stage->level;
-    std::optional<int> found;
-    for (int ball = 0; ball < static_cast<int>(level.scene.balls.size()); ++ball) {
-        Vec2 const centre = physics::state_at(game.session.history, ball, shown_time(game)).position;
-        if (geometry::length(point - centre) > level.scene.balls[static_cast<std::size_t>(ball)].radius) continue;
-        if (!found || ball == level.player) found = ball;
-    }
-    return found;
+    game.waiting = !opening.is_run;
+    game.wall_time = 0;
+    game.over_since.reset();
+    game.ghost.reset();
+    game.on_timeline = false;
+    game.best_before = game::best_time(*opening.level);
+    game.learnt = game::learnt_lessons();
 }
 
 // The player takes over from a run that is being replayed.
@@ -53,6 +54,21 @@ void take_over(PlayGame& game) {
     // A pull of the run's would hold for ever: nobody is left to let go.
     game::act(game.session, game::Release{});
     say(game, "You play on from here");
+}
+
+void learn(PlayGame& game, game::Lesson lesson) {
+    if (!game.learnt.insert(lesson).second) return;
+    try {
+        game::note_learnt(lesson);
+    } catch (std::exception const& error) {
+        note(std::string("smb2d: ") + error.what());
+    }
+}
+
+// After the goal the ball rolls on; after a fall, or when the time is over, there is nothing more to come.
+bool has_come_to_an_end(PlayGame const& game) {
+    if (!game.over_since || game.session.goal_time || game.replay_end) return false;
+    return game.wall_time - *game.over_since > falling_time;
 }
 
 // Where the pointer that drags a ball is in the world, which depends on where the camera is.
@@ -73,22 +89,27 @@ void send_pointer(PlayGame& game) {
 void lean(PlayGame& game, double simulated) {
     double const limit = game.stage->level.tilt_limit;
     double const now = game.session.world.forces.tilt;
-    if (game.replay_end && game.lean == 0) return;
-    double const wanted = game.lean * limit;
+    if (game.replay_end && (game.lean == 0 || game.screen == Screen::title)) return;
+    double const wanted = is_over(game) ? 0 : game.lean * limit;
     if (now == wanted) return;
     take_over(game);
+    learn(game, game::Lesson::tilt);
     double const most = limit * simulated / leaning_time;
     game::act(game.session, game::Tilt{now + std::clamp(wanted - now, -most, most)});
+}
+
+void note_set_aside(std::optional<std::filesystem::path> const& aside, char const* what) {
+    if (aside) note(std::string("smb2d: the list of ") + what + " could not be read; it is kept as " + aside->string());
 }
 
 void note_goal(PlayGame& game) {
     if (game.noted || !game.session.goal_time || *game.session.goal_time > present_time(game)) return;
     game.noted = true;
+    level::Level const& level = game.stage->level;
+    double const time = *game.session.goal_time;
     try {
-        game::Noted const noted = game::note_time(game.stage->level, *game.session.goal_time);
-        if (noted.rank == game::Rank::best) say(game, "Best time: " + view::written(*game.session.goal_time, 2) + " s");
-        if (noted.set_aside)
-            note("smb2d: the list of best times could not be read; it is kept as " + noted.set_aside->string());
+        note_set_aside(game::note_time(level, time).set_aside, "best times");
+        note_set_aside(game::note_medal(level, game::medal_for(level, game::status_at(game.session, time))), "medals");
     } catch (std::exception const& error) {
         say(game, std::string("The time was not kept: ") + error.what());
         note(std::string("smb2d: ") + error.what());
@@ -104,6 +125,9 @@ void let_time_pass(PlayGame& game, double from) {
         game::advance(game.session, now);
     game::keep_past(game.session, present_time(game));
     note_goal(game);
+    if (!is_over(game)) return;
+    if (!game.over_since) game.over_since = game.wall_time;
+    if (!game.replay_end) release(game);
 }
 
 }  // namespace
@@ -127,6 +151,7 @@ void adopt(PlayGame& game, PlayGame other) {
     other.size = game.size;
     other.overlays = game.overlays;
     other.lean = game.lean;
+    other.pointer = game.pointer;
     game = std::move(other);
 }
 
@@ -141,6 +166,7 @@ std::string brief(std::string const& message, std::string const& file) {
 void change_to(PlayGame& game, std::string const& file) {
     try {
         adopt(game, game_of(file, game.wish));
+        game.toast = {};
     } catch (std::exception const& error) {
         say(game, error.what());
         note(std::string("smb2d: ") + error.what());
@@ -149,8 +175,28 @@ void change_to(PlayGame& game, std::string const& file) {
 
 void restart(PlayGame& game) {
     view::Lens const lens = game.lens;
+    Screen const screen = game.screen;
+    std::shared_ptr<game::Session const> const companion = game.companion;
     change_to(game, game.file);
+    game.companion = companion;
     game.lens = lens;
+    game.screen = screen;
+    game.wall_time = flight_time;
+}
+
+void accompany(PlayGame& game, std::string const& run) {
+    Opened const opening = opened(run);
+    if (opening.level->hash != game.stage->level.hash)
+        throw std::runtime_error(run + ": is a run of another level than " + game.stage->level.file);
+    auto session = std::make_shared<game::Session>(session_for(opening, {}));
+    game::advance(*session, duration_of(opening.run).value());
+    game.companion = std::move(session);
+}
+
+PlayGame title_of_run(std::string const& run, game::MethodWish const& wish) {
+    PlayGame game = game_of(run, wish);
+    game.screen = Screen::title;
+    return game;
 }
 
 bool follow_file(PlayGame& game, double elapsed) {
@@ -184,14 +230,67 @@ void change_method(PlayGame& game) {
     }
 }
 
+double flight_of(PlayGame const& game) {
+    if (!game.waiting) return 0;
+    double const share = std::clamp(1 - game.wall_time / flight_time, 0.0, 1.0);
+    return share * share * (3 - 2 * share);
+}
+
 view::Camera camera_of(PlayGame const& game) {
-    return view::camera_at(game.stage->level, game.session.history, shown_time(game), game.size, game.lens);
+    view::Camera const camera =
+        view::camera_at(game.stage->level, game.session.history, shown_time(game), game.size, game.lens);
+    return view::towards_goal(game.stage->level, camera, flight_of(game));
+}
+
+bool is_over(PlayGame const& game) {
+    game::Status const status = game::status_at(game.session, present_time(game));
+    return status.goal_time || status.fall_time || status.out_of_time;
+}
+
+bool is_card_open(PlayGame const& game) {
+    return game.over_since && !game.looked_at && game.wall_time - *game.over_since > card_time;
+}
+
+void begin(PlayGame& game) {
+    if (!game.waiting) return;
+    game.waiting = false;
+    game.started_at = game.wall_time;
+}
+
+std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel) {
+    level::Level const& level = game.stage->level;
+    if (level.drag_reach <= 0 || game.screen == Screen::title) return std::nullopt;
+    if (!game.looked_at && is_over(game)) return std::nullopt;
+    view::Camera const camera = camera_of(game);
+    Vec2 const point = view::world_of(camera, pixel);
+    double const small = near_small * view::hud_scale(game.size) / camera.scale;  // m
+    std::optional<int> found;
+    double nearest = 1;  // of how far off a press may be
+    for (int ball = 0; ball < static_cast<int>(level.scene.balls.size()); ++ball) {
+        Vec2 const centre = physics::state_at(game.session.history, ball, shown_time(game)).position;
+        double const reach = std::max(near_ball * level.scene.balls[static_cast<std::size_t>(ball)].radius, small);
+        double const share = geometry::length(point - centre) / reach;
+        if (share > nearest || (share == nearest && ball != level.player)) continue;
+        found = ball;
+        nearest = share;
+    }
+    return found;
 }
 
 Pressed press(PlayGame& game, Vec2 const& pixel) {
+    if (is_on_timeline(game, pixel)) {
+        game.on_timeline = true;
+        move_pointer(game, pixel);
+        return Pressed::timeline;
+    }
+    if (game.waiting) game.wall_time = std::max(game.wall_time, flight_time);
     std::optional<int> const ball = ball_at(game, pixel);
-    if (!ball || return_to_present(game)) return Pressed::nothing;
+    if (!ball) return Pressed::nothing;
+    go_on_from_past(game);
+    if (game.looked_at) return Pressed::nothing;
+    begin(game);
     take_over(game);
+    learn(game, game::Lesson::pull);
     Vec2 const point = view::world_of(camera_of(game), pixel);
     game::act(game.session, game::Grab{*ball, point});
     game.held = pixel;
@@ -200,10 +299,15 @@ Pressed press(PlayGame& game, Vec2 const& pixel) {
 }
 
 void move_pointer(PlayGame& game, Vec2 const& pixel) {
-    if (game.held) game.held = pixel;
+    game.pointer = pixel;
+    if (game.on_timeline) look_at_timeline(game, pixel);
+    if (!game.held) return;
+    game.held = pixel;
+    if (game.pace.paused) send_pointer(game);
 }
 
 void release(PlayGame& game) {
+    game.on_timeline = false;
     if (!game.held) return;
     send_pointer(game);
     game::act(game.session, game::Release{});
@@ -217,15 +321,13 @@ void lose_focus(PlayGame& game) {
     say(game, "Let go: the window is no longer in front");
 }
 
-bool is_over_ball(PlayGame const& game, Vec2 const& pixel) { return ball_at(game, pixel).has_value(); }
-
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches) {
     game.lens = view::zoomed(game.lens, camera_of(game), pixel, notches);
 }
 
 void single_step(PlayGame& game) {
     if (game.looked_at) game.looked_at.reset();
-    if (!game.pace.paused) return;
+    if (!game.pace.paused || game.waiting) return;
     send_pointer(game);
     lean(game, 1.0 / 60);
     double const from = present_time(game);
@@ -260,6 +362,12 @@ void say(PlayGame& game, std::string const& text) { game.toast = {text, toast_le
 
 void pass(PlayGame& game, double elapsed) {
     game.toast.left = std::max(0.0, game.toast.left - elapsed);
+    game.wall_time += elapsed;
+    if (game.help) return;
+    bool const tilts = game.lean != 0 && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
+    if (tilts && game.looked_at) go_on_from_past(game);
+    if (tilts) begin(game);
+    if (game.waiting || has_come_to_an_end(game)) return;
     long long const before = game.pace.ticks;
     game::Pace const next = game::after(game.pace, elapsed);
     if (next.ticks == before) {
@@ -273,6 +381,7 @@ void pass(PlayGame& game, double elapsed) {
     game.pace = next;
     let_time_pass(game, from);
     if (!game.replay_end || present_time(game) < *game.replay_end) return;
+    if (game.screen == Screen::title) return restart(game);
     game.replay_end.reset();
     game.pace.paused = true;
     say(game, "The end of the run; Space plays on from here");

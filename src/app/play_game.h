@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/file_watch.h"
 #include "app/opening.h"
+#include "game/lessons.h"
 #include "game/pace.h"
 #include "game/session.h"
 #include "view/scene_picture.h"
@@ -23,7 +25,11 @@ struct Toast {
     double left = 0;  // s on the wall until it is gone
 };
 
+// How the window is used: over a run that shows the game, or to play.
+enum class Screen { title, game };
+
 struct PlayGame {
+    Screen screen = Screen::game;
     std::string file;       // the level or run that was asked for
     game::MethodWish wish;  // of the command line, or of the key that changes the method
     FileWatch watch;        // of the level's file
@@ -31,11 +37,18 @@ struct PlayGame {
     std::shared_ptr<view::Stage const> stage;
     game::Session session;
     game::Pace pace;
-    std::optional<double> replay_end;  // s, while a run is being replayed
+    std::optional<double> replay_end;                // s, while a run is being replayed
+    bool waiting = false;                            // the world waits for the player's first input
+    double wall_time = 0;                            // s, since the level was opened
+    double started_at = 0;                           // s of wall time, when the waiting was over
+    std::optional<double> over_since;                // s of wall time, when the game that the player plays was over
+    std::shared_ptr<game::Session const> companion;  // a run that rolls along as a ghost
+    std::optional<game::Session> ghost;              // what was played before the player went on from the past
 
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
     view::Lens lens;
     view::Overlays overlays;
+    std::optional<Vec2> pointer;      // pixels, where it was last seen
     std::optional<Vec2> held;         // pixels, the pointer while it drags a ball
     std::optional<Vec2> sent;         // m, where it was when it was last told to the session
     std::optional<double> looked_at;  // s, a moment of the past; nothing = the present
@@ -43,8 +56,17 @@ struct PlayGame {
     int lean = 0;                     // -1, 0, 1: to which side the stage is being tilted
     Toast toast;
     bool help = false;
-    bool noted = false;  // the time of reaching the goal has been noted
+    bool on_timeline = false;           // the pointer drags the moment that is looked at
+    bool noted = false;                 // the time of reaching the goal has been noted
+    std::optional<double> best_before;  // s, the level's best time when it was opened
+    std::set<game::Lesson> learnt;      // what need not be shown again
 };
+
+// The run that plays under the title, again and again.
+PlayGame title_of_run(std::string const& run, game::MethodWish const& wish);
+
+// A run that is to roll along with the game. Throws std::runtime_error, also where it is of another level.
+void accompany(PlayGame& game, std::string const& run);
 
 // Throws std::runtime_error. Nothing of a game before it is kept but what `look_of` hands over.
 PlayGame game_of(std::string const& file, game::MethodWish const& wish);
@@ -63,6 +85,17 @@ inline double present_time(PlayGame const& game) { return game::simulated_time(g
 inline double shown_time(PlayGame const& game) { return game.looked_at.value_or(present_time(game)); }
 view::Camera camera_of(PlayGame const& game);
 
+// Goal, fall or the end of the time: the ball is no longer the player's.
+bool is_over(PlayGame const& game);
+// The card has been there long enough to be seen.
+bool is_card_open(PlayGame const& game);
+
+// The first input, or the player's wish, lets the time begin.
+void begin(PlayGame& game);
+
+// From 1 at the goal to 0 at the ball: how far the flight over the level has still to go.
+double flight_of(PlayGame const& game);
+
 // Looking back through the past that is kept; the game stands still meanwhile. A key that is pressed moves by a frame,
 // one that is held goes on; -1 is back, 1 forward. In the present, forward is a single step.
 enum class Hurry { calm, fast };
@@ -71,16 +104,26 @@ void scrub(PlayGame& game, int direction, Hurry hurry, double elapsed);
 // Plays on from the present; whether the past was looked at.
 bool return_to_present(PlayGame& game);
 view::Timeline timeline_of(PlayGame const& game);
+// The moment under the pointer.
+void look_at_timeline(PlayGame& game, Vec2 const& pixel);
+bool shows_timeline(PlayGame const& game);
 
-enum class Pressed { ball, nothing };
-// On a ball of the past: the present returns, and nothing is taken hold of.
+// The game goes on from the moment of the past that is looked at; what came after it stays as a ghost.
+void go_on_from_past(PlayGame& game);
+
+// Whether the timeline is there to be pressed: while the player looks back, and after a fall.
+bool is_on_timeline(PlayGame const& game, Vec2 const& pixel);
+
+enum class Pressed { ball, timeline, nothing };
+// A ball is taken hold of by a press on it or near it, also in a pause, and in the past, from which the game then goes
+// on.
 Pressed press(PlayGame& game, Vec2 const& pixel);
 void move_pointer(PlayGame& game, Vec2 const& pixel);
 void release(PlayGame& game);
 // The window is no longer told what the pointer does, nor that its button comes up.
 void lose_focus(PlayGame& game);
-// Whether a press there would take hold of a ball.
-bool is_over_ball(PlayGame const& game, Vec2 const& pixel);
+// The ball that a press there would take hold of.
+std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel);
 
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches);
 void single_step(PlayGame& game);

@@ -1,5 +1,9 @@
 #include "app/play_keys.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
 #include "app/assets.h"
 
 namespace app {
@@ -20,7 +24,106 @@ void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& win
     window.retitle(title_of(game));
 }
 
+// On from the card at the end of a game.
+void close_card(PlayGame& game, Tour& tour, screen::Window& window) {
+    if (!is_card_open(game)) return;
+    if (game.session.goal_time) return go_to_level(game, tour, 1, window);
+    window.release_pointer();
+    restart(game);
+}
+
 Vec2 pixel_at(int x, int y, screen::Window const& window) { return Vec2(x, y) * window.pixel_ratio(); }
+
+void open_picker(PlayGame& game, Tour& tour, screen::Window& window) {
+    window.release_pointer();
+    lose_focus(game);
+    tour.picker = picker_of(tour.files, tour.at);
+}
+
+void play_choice(PlayGame& game, Tour& tour, screen::Window& window) {
+    std::size_t const chosen = tour.picker->chosen;
+    tour.picker.reset();
+    tour.at = chosen;
+    go_to_level(game, tour, 0, window);
+}
+
+// Whether the event was the picker's.
+bool listen_on_picker(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    Picker& picker = *tour.picker;
+    if (event.type == SDL_MOUSEMOTION) {
+        Vec2 const pixel = pixel_at(event.motion.x, event.motion.y, window);
+        picker.chosen = tile_at(picker, pixel, game.size).value_or(picker.chosen);
+        return true;
+    }
+    if (event.type == SDL_MOUSEBUTTONDOWN) {
+        Vec2 const pixel = pixel_at(event.button.x, event.button.y, window);
+        auto const tile = tile_at(picker, pixel, game.size);
+        if (tile) picker.chosen = *tile;
+        if (tile) play_choice(game, tour, window);
+        return true;
+    }
+    if (event.type == SDL_MOUSEWHEEL) {
+        move_choice(picker, 0, event.wheel.y > 0 ? -1 : 1);
+        return true;
+    }
+    if (event.type != SDL_KEYDOWN) return false;
+    switch (event.key.keysym.sym) {
+        case SDLK_LEFT:
+        case SDLK_a:
+            move_choice(picker, -1, 0);
+            break;
+        case SDLK_RIGHT:
+        case SDLK_d:
+            move_choice(picker, 1, 0);
+            break;
+        case SDLK_UP:
+            move_choice(picker, 0, -1);
+            break;
+        case SDLK_DOWN:
+            move_choice(picker, 0, 1);
+            break;
+        case SDLK_RETURN:
+        case SDLK_KP_ENTER:
+        case SDLK_SPACE:
+            play_choice(game, tour, window);
+            break;
+        case SDLK_ESCAPE:
+        case SDLK_l:
+            tour.picker.reset();
+            break;
+        case SDLK_F11:
+            window.toggle_fullscreen();
+            break;
+        default:
+            return event.key.keysym.sym != SDLK_q;
+    }
+    return true;
+}
+
+// The first level without a best time, else the first.
+std::size_t first_unfinished(Tour const& tour) {
+    Picker const levels = picker_of(tour.files, 0);
+    auto const unfinished = std::find_if(levels.tiles.begin(), levels.tiles.end(),
+                                         [](view::Tile const& tile) { return tile.thumbnail && !tile.best; });
+    return unfinished == levels.tiles.end() ? 0 : static_cast<std::size_t>(unfinished - levels.tiles.begin());
+}
+
+// Under the title nearly every key starts the game.
+Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
+    if (!clicked && (event.type != SDL_KEYDOWN || event.key.repeat != 0)) return Wish::stay;
+    SDL_Keycode const key = clicked ? SDLK_RETURN : event.key.keysym.sym;
+    if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return Wish::quit;
+    if (key == SDLK_F1 || key == SDLK_ESCAPE)
+        game.help = !game.help;
+    else if (key == SDLK_l)
+        open_picker(game, tour, window);
+    else if (key == SDLK_F11)
+        window.toggle_fullscreen();
+    else
+        go_to_level(game, tour, first_unfinished(tour), window);
+    return Wish::stay;
+}
 
 // Which way the keys that are down now tilt the stage.
 int lean_of_keys() {
@@ -44,7 +147,14 @@ Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& wind
             game.help = !game.help;
             break;
         case SDLK_SPACE:
-            if (!return_to_present(game)) game.pace.paused = !game.pace.paused;
+            if (game.waiting)
+                begin(game);
+            else if (!return_to_present(game))
+                game.pace.paused = !game.pace.paused;
+            break;
+        case SDLK_RETURN:
+        case SDLK_KP_ENTER:
+            close_card(game, tour, window);
             break;
         case SDLK_COMMA:
         case SDLK_LESS:
@@ -75,6 +185,9 @@ Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& wind
         case SDLK_PAGEUP:
             go_to_level(game, tour, tour.files.size() - 1, window);
             break;
+        case SDLK_l:
+            open_picker(game, tour, window);
+            break;
         case SDLK_o:
             cycle_overlay(game);
             break;
@@ -96,8 +209,23 @@ Tour tour_from(std::string const& file) {
     Tour tour;
     for (std::filesystem::path const& level : shipped_levels()) tour.files.push_back(level.string());
     for (std::size_t i = 0; i < tour.files.size(); ++i)
-        if (is_same_file(tour.files[i], file)) return {tour.files, i};
+        if (is_same_file(tour.files[i], file)) return {tour.files, i, {}};
     tour.files.insert(tour.files.begin(), file);
+    return tour;
+}
+
+Tour tour_of_folder(std::string const& folder) {
+    Tour tour;
+    for (auto const& entry : std::filesystem::directory_iterator(folder)) {
+        std::filesystem::path const ending = entry.path().extension();
+        if (ending == ".svg" || ending == ".svgz") tour.files.push_back(entry.path().string());
+    }
+    std::sort(tour.files.begin(), tour.files.end());
+    if (tour.files.empty()) throw std::runtime_error(folder + ": there is no level in this folder");
+    tour.picker = picker_of(tour.files, 0);
+    auto const& tiles = tour.picker->tiles;
+    auto const whole = std::find_if(tiles.begin(), tiles.end(), [](view::Tile const& tile) { return tile.thumbnail; });
+    if (whole != tiles.end()) tour.at = tour.picker->chosen = static_cast<std::size_t>(whole - tiles.begin());
     return tour;
 }
 
@@ -114,6 +242,7 @@ void scrub_by_keys(PlayGame& game, double elapsed) {
 }
 
 Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (tour.picker && listen_on_picker(event, game, tour, window)) return Wish::stay;
     switch (event.type) {
         case SDL_QUIT:
             return Wish::quit;
@@ -125,6 +254,7 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             }
             break;
         case SDL_KEYDOWN:
+            if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
             game.lean = lean_of_keys();
             // Alt-Tab is the desktop's, and a key that is held down repeats single steps alone.
             if ((event.key.keysym.mod & KMOD_ALT) != 0) return Wish::stay;
@@ -134,9 +264,12 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             game.lean = lean_of_keys();
             break;
         case SDL_MOUSEBUTTONDOWN:
-            if (event.button.button == SDL_BUTTON_LEFT && !game.held &&
-                press(game, pixel_at(event.button.x, event.button.y, window)) == Pressed::ball)
+            if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
+            if (event.button.button != SDL_BUTTON_LEFT || game.held) break;
+            if (press(game, pixel_at(event.button.x, event.button.y, window)) != Pressed::nothing)
                 window.capture_pointer();
+            else
+                close_card(game, tour, window);
             break;
         case SDL_MOUSEMOTION:
             move_pointer(game, pixel_at(event.motion.x, event.motion.y, window));
@@ -147,6 +280,13 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             release(game);
             window.release_pointer();
             break;
+        case SDL_DROPFILE: {
+            std::string const file = event.drop.file;
+            SDL_free(event.drop.file);
+            tour = tour_from(file);
+            go_to_level(game, tour, 0, window);
+            break;
+        }
         case SDL_MOUSEWHEEL: {
             int x = 0, y = 0;
             SDL_GetMouseState(&x, &y);

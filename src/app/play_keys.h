@@ -1,13 +1,14 @@
 // SDL's events made into what the player does.
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <SDL.h>
 
 #include "app/play_game.h"
+#include "app/play_picker.h"
 #include "screen/window.h"
 
 namespace app {
@@ -16,8 +17,13 @@ namespace app {
 struct Tour {
     std::vector<std::string> files;
     std::size_t at = 0;
+    std::optional<Picker> picker;  // while it is open
 };
+// The levels that ship with the file among them.
 Tour tour_from(std::string const& file);
+// The levels in a folder, by name, from the first that can be opened on; its picker is open. Throws std::runtime_error
+// where there is none.
+Tour tour_of_folder(std::string const& folder);
 
 enum class Wish { stay, quit };
 

@@ -3,6 +3,7 @@
 
 #include "app/play_game.h"
 #include "game/past.h"
+#include "game/run_file.h"
 #include "view/palette.h"
 
 namespace app {
@@ -37,7 +38,7 @@ void start_scrub(PlayGame& game, int direction, Hurry hurry) {
     if (!game.looked_at && present_time(game) <= earliest_shown(game)) return;
     if (!game.looked_at) {
         game.pace.paused = true;
-        say(game, "Looking back: comma and period move, Space plays on from the present");
+        say(game, "Take the ball to go on from here; comma and period move, Space returns");
     }
     look_at(game, shown_time(game) + direction * single_move * factor_of(hurry));
     game.scrub_held = 0;
@@ -49,6 +50,42 @@ void scrub(PlayGame& game, int direction, Hurry hurry, double elapsed) {
     if (game.scrub_held < holding_after) return;
     look_at(game, *game.looked_at + direction * scrub_speed * factor_of(hurry) * elapsed);
     if (!game.looked_at) say(game, "The present; Space plays on");
+}
+
+void look_at_timeline(PlayGame& game, Vec2 const& pixel) {
+    view::Timeline const timeline = timeline_of(game);
+    game.pace.paused = true;
+    look_at(game, view::time_at(timeline, pixel, game.size));
+}
+
+bool shows_timeline(PlayGame const& game) {
+    return game.looked_at || (game.over_since && game.session.fall_time && game.screen == Screen::game);
+}
+
+bool is_on_timeline(PlayGame const& game, Vec2 const& pixel) {
+    return shows_timeline(game) && !game.held && view::is_on_timeline(pixel, game.size);
+}
+
+void go_on_from_past(PlayGame& game) {
+    if (!game.looked_at) return;
+    long long const ticks = static_cast<long long>(*game.looked_at * game::ticks_per_second);
+    double const time = static_cast<double>(ticks) / game::ticks_per_second;
+    game::Status const then = game::status_at(game.session, time);
+    if (then.goal_time || then.fall_time || then.out_of_time)
+        return say(game, "The game was over by then: go on from further back");
+    game::Session earlier = game::rewound(game.session, time);
+    game.ghost = std::move(game.session);
+    game.session = std::move(earlier);
+    game.pace.ticks = ticks;
+    game.pace.rest = 0;
+    game.pace.paused = false;
+    game.looked_at.reset();
+    game.replay_end.reset();
+    game.over_since.reset();
+    game.noted = game::is_run_file(game.file);
+    // A pull of what was played: its pointer is not where the player's is now.
+    game::act(game.session, game::Release{});
+    say(game, "On from here; the ghost shows what was");
 }
 
 bool return_to_present(PlayGame& game) {

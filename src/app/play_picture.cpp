@@ -3,6 +3,7 @@
 
 #include "app/play_game.h"
 #include "game/glimpse.h"
+#include "view/briefing.h"
 #include "view/hud.h"
 
 namespace app {
@@ -12,14 +13,17 @@ namespace {
 constexpr double toast_fading = 0.6;  // s
 
 std::vector<view::KeyHelp> key_help() {
-    return {{"left button", "press on the ball and drag it"},
+    return {{"left button", "press on the ball, or near it, and drag it"},
             {"A  D", "tilt the stage; so do the left and right arrows"},
             {"wheel", "zoom"},
             {"Space", "pause; from the past: back to the present"},
             {"comma  period", "hold to look back and forth; Shift: faster"},
+            {"in the past", "take the ball, or tilt, to go on from there"},
             {"N", "one step while paused"},
             {"S", "slow motion"},
             {"R", "from the beginning"},
+            {"Enter", "after the goal: the next level; after a fall: again"},
+            {"L", "all levels, to pick one"},
             {"Tab", "next level; PageDown and PageUp walk through them"},
             {"O", "overlay: figures, forces, energy, all, none"},
             {"M", "next method, from the beginning"},
@@ -71,20 +75,85 @@ view::Moment moment_of(PlayGame const& game) {
     return moment;
 }
 
+constexpr double briefing_fading = 0.5;  // s on the wall
+constexpr double hand_way = 130;         // pixels of a picture of 1280x720
+
+std::string ending_hint(view::Moment const& moment) {
+    return moment.status.goal_time ? "Enter or click: go on    R: again"
+                                   : "Enter or click: again    comma, or the bar below: back in time";
+}
+
+double briefing_presence(PlayGame const& game) {
+    if (game.replay_end || game.file != game.stage->level.file) return 0;
+    if (game.waiting) return std::min(1.0, game.wall_time / briefing_fading);
+    return 1 - (game.wall_time - game.started_at) / briefing_fading;
+}
+
+struct Seen {
+    Vec2 centre;    // pixels
+    double radius;  // pixels
+};
+Seen seen_ball(PlayGame const& game, view::Camera const& camera, view::Moment const& moment, int ball) {
+    auto const i = static_cast<std::size_t>(ball);
+    return {view::pixel_of(camera, moment.balls[i].position), game.stage->level.scene.balls[i].radius * camera.scale};
+}
+
+// What the player has yet to learn, shown while the world waits: first the pull, then the tilt.
+std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const& camera, view::Moment const& moment) {
+    level::Level const& level = game.stage->level;
+    if (!game.waiting || flight_of(game) > 0) return {};
+    double const unit = view::hud_scale(game.size);
+    if (level.drag_reach > 0 && !game.learnt.contains(game::Lesson::pull)) {
+        Seen const ball = seen_ball(game, camera, moment, level.player);
+        double const side = ball.centre.x() < game.size.x() / 2 ? 1 : -1;
+        return view::pulling_hand_shapes(ball.centre, Vec2(side, -0.45) * hand_way * unit, game.wall_time, unit);
+    }
+    if (level.tilt_limit > 0 && !game.learnt.contains(game::Lesson::tilt))
+        return view::tilting_keys_shapes(game.wall_time, game.size);
+    return {};
+}
+
+// Where the player's ball was at this time in another session, as far as that is known.
+std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const& other, view::Camera const& camera) {
+    double const time = shown_time(game);
+    if (time > other.world.time || time < other.history.from) return {};
+    int const player = game.stage->level.player;
+    physics::State const ball = physics::state_at(other.history, player, time);
+    double const radius = game.stage->level.scene.balls[static_cast<std::size_t>(player)].radius * camera.scale;
+    return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle);
+}
+
 }  // namespace
 
 view::Picture picture_of(PlayGame const& game) {
     view::Moment const moment = moment_of(game);
+    view::Camera const camera = camera_of(game);
     view::Dressing dressing;
     dressing.overlays = game.overlays;
-    dressing.hint = moment.status.goal_time ? "Tab: next level   R: again" : "R: try again";
-    view::Picture picture = view::picture_of(*game.stage, moment, camera_of(game), dressing);
+    dressing.ending = {ending_hint(moment), game.best_before};
+    bool const is_title = game.screen == Screen::title;
+    if (is_title) dressing.lettering = view::Lettering::none;
+    view::Picture picture = view::picture_of(*game.stage, moment, camera, dressing);
     auto const add = [&](std::vector<view::Shape> more) {
         for (view::Shape& shape : more) picture.shapes.emplace_back(std::move(shape));
     };
+    if (is_title) {
+        add(view::title_shapes(present_time(game), game.size));
+        if (game.help) add(view::help_shapes(key_help(), game.size));
+        return picture;
+    }
+    if (game.ghost) add(ghost_shapes(game, *game.ghost, camera));
+    if (game.companion) add(ghost_shapes(game, *game.companion, camera));
+    if (game.pointer && !game.held)
+        if (auto const ball = ball_at(game, *game.pointer)) {
+            Seen const seen = seen_ball(game, camera, moment, *ball);
+            add(view::grip_shapes(seen.centre, seen.radius, view::hud_scale(game.size)));
+        }
+    add(view::briefing_shapes(game.stage->level, briefing_presence(game), game.size));
+    add(lesson_shapes(game, camera, moment));
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
-    if (game.looked_at) add(view::timeline_shapes(timeline_of(game), game.size));
+    if (shows_timeline(game)) add(view::timeline_shapes(timeline_of(game), game.size));
     bool const in_fault = !game.fault.empty() && game.toast.left <= 0;
     add(in_fault ? view::toast_shapes(game.fault, 1, game.size)
                  : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));

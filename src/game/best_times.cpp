@@ -12,28 +12,30 @@ namespace game {
 
 namespace {
 
-std::optional<std::filesystem::path> best_file() {
+constexpr char times_name[] = "best.json", medals_name[] = "medals.json";
+
+std::optional<std::filesystem::path> file_named(char const* name) {
     auto const folder = data_folder();
     if (!folder) return std::nullopt;
-    return *folder / "best.json";
+    return *folder / name;
 }
 
 struct Listed {
-    std::map<std::string, double> times;
-    bool spoilt = false;  // the file holds something that the times do not
+    std::map<std::string, double> numbers;  // by level
+    bool spoilt = false;                    // the file holds something that the numbers do not
 };
 
-Listed listed() {
+Listed listed_in(char const* name) {
     Listed list;
-    auto const file = best_file();
+    auto const file = file_named(name);
     std::error_code missing;
     if (!file || !std::filesystem::is_regular_file(*file, missing)) return list;
     try {
         auto const root = nlohmann::json::parse(read_whole_file(file->string(), 1u << 20));
         list.spoilt = !root.is_object();
-        for (auto const& [hash, seconds] : root.items())
-            if (root.is_object() && seconds.is_number() && std::isfinite(seconds.get<double>()))
-                list.times[hash] = seconds.get<double>();
+        for (auto const& [hash, number] : root.items())
+            if (root.is_object() && number.is_number() && std::isfinite(number.get<double>()))
+                list.numbers[hash] = number.get<double>();
             else
                 list.spoilt = true;
     } catch (std::exception const&) {
@@ -42,13 +44,13 @@ Listed listed() {
     return list;
 }
 
-// Gives the file another name that is free, and returns it; a link stays where it is.
-std::filesystem::path set_aside(std::filesystem::path const& file) {
-    std::filesystem::path const whole = behind_links(file.string());
-    std::filesystem::path aside = whole.string() + ".spoilt";
-    for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(aside)); ++i)
-        aside = whole.string() + ".spoilt-" + std::to_string(i);
-    std::filesystem::rename(whole, aside);
+// What the file was that was set aside, if it was spoilt.
+std::optional<std::filesystem::path> keep(Listed const& list, char const* name, char const* what) {
+    auto const file = file_named(name);
+    if (!file) throw std::runtime_error(std::string(what) + " cannot be saved: neither XDG_DATA_HOME nor HOME is set");
+    std::optional<std::filesystem::path> aside;
+    if (list.spoilt) aside = set_aside(*file);
+    write_whole_file(file->string(), nlohmann::json(list.numbers).dump(1) + "\n");
     return aside;
 }
 
@@ -63,7 +65,7 @@ std::optional<std::filesystem::path> data_folder() {
     return std::nullopt;
 }
 
-std::map<std::string, double> best_times() { return listed().times; }
+std::map<std::string, double> best_times() { return listed_in(times_name).numbers; }
 
 std::optional<double> best_time(level::Level const& level) {
     auto const times = best_times();
@@ -72,16 +74,27 @@ std::optional<double> best_time(level::Level const& level) {
 }
 
 Noted note_time(level::Level const& level, double seconds) {
-    Listed list = listed();
-    auto const [place, fresh] = list.times.try_emplace(level.hash, seconds);
+    Listed list = listed_in(times_name);
+    auto const [place, fresh] = list.numbers.try_emplace(level.hash, seconds);
     if (!fresh && place->second <= seconds) return {Rank::behind, std::nullopt};
     place->second = seconds;
-    auto const file = best_file();
-    if (!file) throw std::runtime_error("the best time cannot be saved: neither XDG_DATA_HOME nor HOME is set");
-    Noted noted{Rank::best, std::nullopt};
-    if (list.spoilt) noted.set_aside = set_aside(*file);
-    write_whole_file(file->string(), nlohmann::json(list.times).dump(1) + "\n");
-    return noted;
+    return {Rank::best, keep(list, times_name, "the best time")};
+}
+
+std::map<std::string, Medal> best_medals() {
+    std::map<std::string, Medal> medals;
+    for (auto const& [hash, number] : listed_in(medals_name).numbers)
+        for (Medal const medal : {Medal::bronze, Medal::silver, Medal::gold})
+            if (number == static_cast<double>(medal)) medals[hash] = medal;
+    return medals;
+}
+
+std::optional<std::filesystem::path> note_medal(level::Level const& level, Medal medal) {
+    Listed list = listed_in(medals_name);
+    double& kept = list.numbers[level.hash];
+    if (kept >= static_cast<double>(medal)) return std::nullopt;
+    kept = static_cast<double>(medal);
+    return keep(list, medals_name, "the medal");
 }
 
 }  // namespace game

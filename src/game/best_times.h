@@ -1,4 +1,4 @@
-// The best time of every level, kept in the user's data folder between games.
+// The best time and medal of every level, kept in the user's data folder between games.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "game/medals.h"
 #include "level/level.h"
 
 namespace game {
@@ -26,5 +27,9 @@ struct Noted {
 // Saves the time if the level had none or a longer one. A list that cannot be read to its end is set aside before.
 // Throws std::runtime_error where it cannot be saved.
 Noted note_time(level::Level const& level, double seconds);
+
+// The same for medals.
+std::map<std::string, Medal> best_medals();
+std::optional<std::filesystem::path> note_medal(level::Level const& level, Medal medal);  // what was set aside
 
 }  // namespace game

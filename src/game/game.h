@@ -48,6 +48,7 @@ struct Run {
 
 struct Status {
     int bananas = 0;                  // picked up
+    int pulls = 0;                    // how often the player took a ball
     std::optional<double> goal_time;  // s
     std::optional<double> fall_time;  // s, the player's
     bool out_of_time = false;

@@ -39,7 +39,7 @@ Vec2 target_for(Session const& session, int ball, Vec2 const& pointer) {
 std::optional<Forces> forces_after(Session const& session, Action const& action) {
     Forces forces = session.world.forces;
     if (auto const* grab = std::get_if<Grab>(&action)) {
-        if (!has_ball(*session.level, grab->ball)) return std::nullopt;
+        if (!has_ball(*session.level, grab->ball) || session.level->drag_reach == 0) return std::nullopt;
         forces.pull = physics::Pull{grab->ball, target_for(session, grab->ball, grab->pointer)};
     } else if (auto const* move = std::get_if<Move>(&action)) {
         if (!forces.pull) return std::nullopt;
@@ -87,6 +87,7 @@ void let_act(Session& session, Action const& action) {
     auto const fault = physics::apply(session.method, session.level->scene, session.world, *forces, session.history);
     if (fault) cannot_go_on(session, *fault);
     session.forces.push_back({session.world.time, *forces});
+    if (std::holds_alternative<Grab>(action)) session.pulled_at.push_back(session.world.time);
 }
 
 constexpr double moves_per_second = 60;
@@ -188,6 +189,15 @@ void advance_held(Session& session, double from, double until, Pointer const& po
     advance(session, until);
 }
 
+Session rewound(Session const& session, double time) {
+    std::vector<Input> inputs;
+    for (std::size_t i = 0; i < session.acted && session.inputs[i].time <= time; ++i)
+        inputs.push_back(session.inputs[i]);
+    Session earlier = session_of(session.level, session.method, std::move(inputs));
+    advance(earlier, time);
+    return earlier;
+}
+
 void forget_before(Session& session, double time) {
     physics::forget_before(session.history, time);
     while (session.forces.size() > 1 && session.forces[1].time <= time) session.forces.pop_front();
@@ -203,6 +213,8 @@ Status status_at(Session const& session, double time) {
     Status status;
     for (std::size_t i = 0; i < session.noticed_at.size(); ++i)
         if (session.level->meanings[i] == level::Meaning::banana && session.noticed_at[i] <= time) ++status.bananas;
+    auto const& pulled_at = session.pulled_at;
+    status.pulls = static_cast<int>(std::upper_bound(pulled_at.begin(), pulled_at.end(), time) - pulled_at.begin());
     if (session.goal_time && *session.goal_time <= time) status.goal_time = session.goal_time;
     if (session.fall_time && *session.fall_time <= time) status.fall_time = session.fall_time;
     auto const& limit = session.level->time_limit;

@@ -30,6 +30,7 @@ struct Session {
     std::vector<Input> inputs;              // in order of time: those that have acted, then those to come
     std::size_t acted = 0;                  // how many have
     std::vector<double> noticed_at;         // s, by sensor: when it first fired; never = not yet
+    std::vector<double> pulled_at;          // s, when the player took a ball
     std::deque<ForcesSince> forces;         // what acted when; the last is what acts now
     std::optional<double> goal_time;        // s, by the rules: the first of these that happens ends the game
     std::optional<double> fall_time;        // s
@@ -56,6 +57,9 @@ using Pointer = std::function<Vec2(double time)>;
 // is farther from it than the reach, a move at every whole multiple of 1/60 s places the target anew, so that it goes
 // along with the ball; one more when it has come within.
 void advance_held(Session& session, double from, double until, Pointer const& pointer);
+
+// The same game as it was at a time before world.time, with the inputs up to then and none to come.
+Session rewound(Session const& session, double time);
 
 // Drops legs, events and forces that are not needed to answer from `time` on.
 void forget_before(Session& session, double time);

@@ -80,4 +80,13 @@ std::string read_whole_file(std::string const& file, std::size_t limit) {
     return bytes;
 }
 
+std::filesystem::path set_aside(std::filesystem::path const& file) {
+    std::filesystem::path const whole = behind_links(file.string());
+    std::filesystem::path aside = whole.string() + ".spoilt";
+    for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(aside)); ++i)
+        aside = whole.string() + ".spoilt-" + std::to_string(i);
+    std::filesystem::rename(whole, aside);
+    return aside;
+}
+
 }  // namespace game

@@ -1,6 +1,7 @@
 // Files that are either whole or not there: written beside their name and renamed when they are complete.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ void write_whole_file(std::string const& file, std::string_view bytes);
 
 // Throws std::runtime_error("file: why"); a file over `limit` bytes is refused.
 std::string read_whole_file(std::string const& file, std::size_t limit);
+
+// Gives a file that is spoilt another name that is free, and returns it; a link stays where it is.
+std::filesystem::path set_aside(std::filesystem::path const& file);
 
 }  // namespace game

@@ -12,6 +12,7 @@ namespace level {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::max();
+constexpr double most_pulls = 1e6;
 
 struct Rule {
     char const* name;
@@ -20,7 +21,7 @@ struct Rule {
     char const* wanted = "";
 };
 
-constexpr std::array<Rule, 15> rules = {{
+constexpr std::array<Rule, 17> rules = {{
     {"data-mass", 0, no_limit, true, "greater than 0"},
     {"data-inertia", 0, 1, true, "greater than 0 and at most 1"},
     {"data-velocity"},
@@ -35,6 +36,8 @@ constexpr std::array<Rule, 15> rules = {{
     {"data-drag-damping", 0, most_metres, false, "from 0 to 1e6"},
     {"data-drag-reach", 0, most_metres, false, "from 0 to 1e6"},
     {"data-tilt-limit", 0, no_limit, false, "at least 0"},
+    {"data-par-time", 0, no_limit, true, "greater than 0"},
+    {"data-pulls", 0, most_pulls, false, "a whole number from 0 to 1e6"},
     {"data-metres-per-unit", 0, most_metres, true, "greater than 0 and at most 1e6"},
 }};
 
@@ -52,6 +55,12 @@ std::optional<Data> data_named(std::string_view name) {
     for (std::size_t i = 0; i < rules.size(); ++i)
         if (name == rules[i].name) return static_cast<Data>(i);
     return std::nullopt;
+}
+
+bool names_look(std::string_view attribute) {
+    for (LookAttribute const& look : {sky_attribute, hills_attribute, sun_attribute, clouds_attribute})
+        if (attribute == look.name) return true;
+    return false;
 }
 
 bool belongs_to(Data data, Role role) {
@@ -90,7 +99,8 @@ double number_in(Data data, std::string_view text, Grip grip) {
     if (parsed.syntax == Syntax::not_a_number) refuse(rule, "a number", text);
     if (parsed.syntax == Syntax::not_finite) refuse(rule, "finite", text);
     double const x = parsed.value;
-    bool const outside = x < rule.low || x > rule.high || (rule.above_low && x == rule.low);
+    bool const outside = x < rule.low || x > rule.high || (rule.above_low && x == rule.low) ||
+                         (data == Data::pulls && x != std::floor(x));
     if (outside) refuse(rule, rule.wanted, text);
     return x;
 }

@@ -28,11 +28,23 @@ enum class Data {
     drag_damping,
     drag_reach,
     tilt_limit,
+    par_time,
+    pulls,
     metres_per_unit  // the root's own
 };
 inline constexpr std::size_t inherited_data = 8;
 
 char const* name_of(Data data);
+
+// The root's attributes that hold colours, and how many.
+struct LookAttribute {
+    char const* name;
+    std::size_t colours;
+};
+inline constexpr LookAttribute sky_attribute = {"data-sky", 2}, hills_attribute = {"data-hills", 3},
+                               sun_attribute = {"data-sun", 1}, clouds_attribute = {"data-clouds", 1};
+bool names_look(std::string_view attribute);
+
 std::optional<Data> data_named(std::string_view name);
 bool belongs_to(Data data, Role role);
 

@@ -48,6 +48,7 @@ void Elements::inspect_group(pugi::xml_node node, std::string_view tag) {
     if (!is_root) inspect_name(node, name);
     for (pugi::xml_attribute const attribute : node.attributes()) {
         if (!is_data(attribute.name())) continue;
+        if (is_root && names_look(attribute.name())) continue;
         auto const data = data_named(attribute.name());
         bool const known = data && (is_root || static_cast<std::size_t>(*data) < inherited_data);
         if (!known) {

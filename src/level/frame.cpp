@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "level/colours.h"
 #include "level/limits.h"
 #include "level/numbers.h"
 
@@ -50,19 +51,51 @@ std::optional<double> setting(Document const& document, Data data, Report& repor
     }
 }
 
-std::string title_of(Document const& document) {
+// The words of the root's first child of that name, a space between them.
+std::string text_of_child(Document const& document, std::string_view tag) {
     for (pugi::xml_node const child : document.root().children()) {
-        if (document.tag_of(child) != "title") continue;
-        std::string title;
-        for (pugi::xml_node const text : child.children()) title += text.value();
+        if (document.tag_of(child) != tag) continue;
+        std::string whole;
+        for (pugi::xml_node const text : child.children()) whole += text.value();
         std::string joined;
-        for (std::string_view const word : words_of(title)) {
+        for (std::string_view const word : words_of(whole)) {
             if (!joined.empty()) joined += ' ';
             joined += word;
         }
         return joined;
     }
     return {};
+}
+
+// So many colours between spaces; nothing, and a fault, where the attribute says anything else.
+std::vector<std::string> colours_of(Document const& document, LookAttribute const& wanted, Report& report) {
+    std::vector<std::string> colours;
+    pugi::xml_attribute const given = document.root().attribute(wanted.name);
+    if (!given) return colours;
+    try {
+        for (std::string_view const word : words_of(given.value()))
+            colours.push_back(colour_in(word).value_or(std::string(no_colour)));
+    } catch (Unsupported const&) {
+        colours.clear();
+    }
+    if (colours.size() == wanted.colours) return colours;
+    report.fault(document.line_of(document.root()),
+                 std::string("svg: ") + wanted.name + " must be " + std::to_string(wanted.colours) +
+                     (wanted.colours == 1 ? " colour" : " colours") + ", got " + quoted(trimmed(given.value())));
+    return {};
+}
+
+Look look_of(Document const& document, Report& report) {
+    auto const one = [&](LookAttribute const& attribute) {
+        auto const colours = colours_of(document, attribute, report);
+        return colours.empty() ? std::string() : colours[0];
+    };
+    Look look;
+    look.sky = colours_of(document, sky_attribute, report);
+    look.hills = colours_of(document, hills_attribute, report);
+    look.sun = one(sun_attribute);
+    look.clouds = one(clouds_attribute);
+    return look;
 }
 
 }  // namespace
@@ -94,7 +127,11 @@ void read_settings(Document const& document, Reading& reading) {
     level.drag_reach = given(Data::drag_reach).value_or(level.drag_reach);
     level.tilt_limit = given(Data::tilt_limit).value_or(level.tilt_limit);
     level.time_limit = given(Data::time_limit);
-    level.title = title_of(document);
+    level.pars.time = given(Data::par_time);
+    if (auto const pulls = given(Data::pulls)) level.pars.pulls = static_cast<int>(*pulls);
+    level.look = look_of(document, reading.report);
+    level.hint = text_of_child(document, "desc");
+    level.title = text_of_child(document, "title");
     if (level.title.empty()) level.title = std::filesystem::path(level.file).stem().string();
 }
 

@@ -35,6 +35,21 @@ struct Tint {
     std::optional<std::string> fill, stroke;
 };
 
+// What lies behind the play, in colours as #rrggbb; what is empty is as the game has it. "none" leaves out.
+
+inline constexpr char no_colour[] = "none";
+struct Look {
+    std::vector<std::string> sky;    // above, below
+    std::vector<std::string> hills;  // far, middle, near
+    std::string sun, clouds;
+};
+
+// What there is to do better than merely to arrive. Every banana counts beside these.
+struct Pars {
+    std::optional<double> time;  // s
+    std::optional<int> pulls;    // how often a ball is taken
+};
+
 struct Finding {
     int line = 0;
     std::string text;    // "element: what"
@@ -53,8 +68,11 @@ struct Level {
     Vec2 size = Vec2::Zero();                // m, of the viewBox; its lower left corner is the origin
     double metres_per_unit = 1;              // of the drawing
     std::optional<double> time_limit;        // s
-    double drag_reach = 4;                   // m
+    std::string hint;                        // the drawing's <desc>
+    double drag_reach = 4;                   // m; 0 = nothing can be pulled
     double tilt_limit = 0.4;                 // rad
+    Pars pars;
+    Look look;
     std::vector<Outline> outlines;           // of the terrain
     std::vector<Decoration> decorations;     // and terrain that the drawing paints, in the order of the file
     std::optional<std::size_t> in_front;     // of grass and soil: the decorations from this one on

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "view/drawn_colour.h"
 #include "view/palette.h"
@@ -10,6 +11,48 @@
 namespace view {
 
 namespace {
+
+Colour css_colour(std::string const& text, double opacity) {
+    unsigned long const rgb = text.size() == 7 ? std::strtoul(text.c_str() + 1, nullptr, 16) : 0x808080;
+    return colour(static_cast<std::uint32_t>(rgb), static_cast<float>(opacity));
+}
+
+// The colours of what is far away: the drawing's where it names any.
+struct Scenery {
+    Colour sky_top = palette::sky_top, sky_bottom = palette::sky_bottom;
+    Colour crest[3] = {palette::far_hill, palette::middle_hill, palette::near_hill};
+    Colour foot[3] = {palette::far_foot, palette::middle_foot, palette::near_foot};
+    std::optional<Colour> sun = palette::sun;
+    Colour glow = palette::sun_glow;
+    std::optional<Colour> cloud = palette::cloud;
+    Colour cloud_shade = palette::cloud_shade;
+};
+
+Scenery scenery_of(level::Look const& look) {
+    Scenery scenery;
+    if (!look.sky.empty()) {
+        scenery.sky_top = css_colour(look.sky[0], 1);
+        scenery.sky_bottom = css_colour(look.sky[1], 1);
+        scenery.cloud_shade = faded(mixed(palette::cloud, scenery.sky_top, 0.3f), 0.9f);
+    }
+    for (std::size_t i = 0; i < look.hills.size(); ++i) {
+        scenery.crest[i] = css_colour(look.hills[i], 1);
+        scenery.foot[i] = mixed(scenery.crest[i], scenery.sky_bottom, 0.45f);
+    }
+    if (look.sun == level::no_colour) {
+        scenery.sun.reset();
+    } else if (!look.sun.empty()) {
+        scenery.sun = css_colour(look.sun, 0.95);
+        scenery.glow = faded(*scenery.sun, 0.3f);
+    }
+    if (look.clouds == level::no_colour) {
+        scenery.cloud.reset();
+    } else if (!look.clouds.empty()) {
+        scenery.cloud = css_colour(look.clouds, 0.92);
+        scenery.cloud_shade = faded(mixed(*scenery.cloud, scenery.sky_top, 0.3f), 0.9f);
+    }
+    return scenery;
+}
 
 // Far things move less than the camera and grow less than the zoom.
 struct Distance {
@@ -67,7 +110,7 @@ Area ridge_area(Ridge const& ridge, Distance const& distance, double floor) {
     return area;
 }
 
-void add_cloud(std::vector<Shape>& shapes, Vec2 const& at, double size) {
+void add_cloud(std::vector<Shape>& shapes, Vec2 const& at, double size, Scenery const& scenery) {
     struct Puff {
         double x, y, r;
     };
@@ -76,17 +119,20 @@ void add_cloud(std::vector<Shape>& shapes, Vec2 const& at, double size) {
     double const soft = 0.12 * size;
     for (Puff const& puff : puffs)
         shapes.emplace_back(
-            Disc{at + size * Vec2(puff.x, puff.y + 0.14), puff.r * size, palette::cloud_shade, {}, 0, soft});
+            Disc{at + size * Vec2(puff.x, puff.y + 0.14), puff.r * size, scenery.cloud_shade, {}, 0, soft});
     for (Puff const& puff : puffs)
-        shapes.emplace_back(Disc{at + size * Vec2(puff.x, puff.y), puff.r * size, palette::cloud, {}, 0, soft});
+        shapes.emplace_back(Disc{at + size * Vec2(puff.x, puff.y), puff.r * size, *scenery.cloud, {}, 0, soft});
 }
 
-void add_sky(std::vector<Shape>& shapes, Distance const& distance) {
-    shapes.emplace_back(Sky{palette::sky_top, palette::sky_bottom});
+void add_sky(std::vector<Shape>& shapes, Distance const& distance, Scenery const& scenery) {
+    shapes.emplace_back(Sky{scenery.sky_top, scenery.sky_bottom});
     Vec2 const sun(distance.size.x() * 0.8, distance.size.y() * 0.17);
     double const unit = distance.unit;
-    shapes.emplace_back(Disc{sun, 2.4 * unit, palette::sun_glow, {}, 0, 2.2 * unit});
-    shapes.emplace_back(Disc{sun, 0.62 * unit, palette::sun, {}, 0, 0.06 * unit});
+    if (scenery.sun) {
+        shapes.emplace_back(Disc{sun, 2.4 * unit, scenery.glow, {}, 0, 2.2 * unit});
+        shapes.emplace_back(Disc{sun, 0.62 * unit, *scenery.sun, {}, 0, 0.06 * unit});
+    }
+    if (!scenery.cloud) return;
     struct Place {
         double x, y, size;
     };
@@ -96,14 +142,14 @@ void add_sky(std::vector<Shape>& shapes, Distance const& distance) {
         double const drift = place.x - 0.06 * distance.shift.x() + 2.5;
         double const x = drift - period * std::floor(drift / period) - 2.5;
         double const y = place.y + 0.05 * distance.shift.y();
-        add_cloud(shapes, Vec2(x, y) * unit, place.size * unit);
+        add_cloud(shapes, Vec2(x, y) * unit, place.size * unit, scenery);
     }
 }
 
-void add_hills(std::vector<Shape>& shapes, Distance const& distance) {
-    Ridge const ridges[] = {{0.08, 3.9, 0.55, 4.2, 0.4, palette::far_hill, palette::far_foot},
-                            {0.16, 2.7, 0.5, 3.3, 2.9, palette::middle_hill, palette::middle_foot},
-                            {0.28, 1.5, 0.45, 2.8, 5.1, palette::near_hill, palette::near_foot}};
+void add_hills(std::vector<Shape>& shapes, Distance const& distance, Scenery const& scenery) {
+    Ridge const ridges[] = {{0.08, 3.9, 0.55, 4.2, 0.4, scenery.crest[0], scenery.foot[0]},
+                            {0.16, 2.7, 0.5, 3.3, 2.9, scenery.crest[1], scenery.foot[1]},
+                            {0.28, 1.5, 0.45, 2.8, 5.1, scenery.crest[2], scenery.foot[2]}};
     int constexpr count = 3;
     for (int i = 0; i < count; ++i) {
         double floor = distance.size.y() + 4;
@@ -160,8 +206,9 @@ bool in_sight(level::Decoration const& decoration, geometry::Box const& sight) {
 std::vector<Shape> backdrop_shapes(level::Level const& level, Ground const& ground, Camera const& camera) {
     std::vector<Shape> shapes;
     Distance const distance = distance_of(level, camera);
-    add_sky(shapes, distance);
-    add_hills(shapes, distance);
+    Scenery const scenery = scenery_of(level.look);
+    add_sky(shapes, distance, scenery);
+    add_hills(shapes, distance, scenery);
     geometry::Box const sight = sight_of(camera);
     std::size_t const count = level.decorations.size(), in_front = std::min(level.in_front.value_or(count), count);
     auto const add_decorations = [&](std::size_t from, std::size_t to) {

@@ -30,12 +30,25 @@ inline constexpr double least_zoom = 0.5, greatest_zoom = 8;
 // How much of the past, in seconds, a history must still know for camera_at and moment_at to answer.
 inline constexpr double camera_memory = 2.5;
 
-// A level of at most this size is shown whole (formats.md section 1); of a larger one this much is shown.
+// A level of at most this size is shown whole (formats.md section 1); of a larger one so much is shown as suits the
+// ball: this much where its radius is between a quarter and three fifths of a metre.
 inline constexpr double whole_width = 16, whole_height = 9;  // m
 
-// The same time gives the same camera, whatever was drawn before: it looks at a weighted mean of the player's path.
+// How large things are that have no size of their own, posts and springs: 1 where the view is whole_width wide.
+double size_unit(level::Level const& level);
+
+// The same time gives the same camera, whatever was drawn before: where it looks is a weighted mean of the path of the
+// player's ball, ahead of it where it is fast. Its velocity is continuous and its acceleration bounded, also where the
+// ball bounces, as long as that is not near the picture's edge. A ball that leaves the level, but has not fallen out
+// yet, is kept in sight: a level that was shown whole is seen from farther away then.
 Camera camera_at(level::Level const& level, physics::History const& history, double time, Vec2 const& size,
                  Lens const& lens = {});
+
+// m, the middle of what notices balls.
+Vec2 middle_of(physics::Region const& region);
+
+// The same camera so far on the way to where it would look at the goal, 0 to 1.
+Camera towards_goal(level::Level const& level, Camera camera, double share);
 
 // The lens after turning the wheel by `notches` (away from the player is positive) over `pixel`: the point of the
 // world under the pointer stays there as far as the level's edges allow.

@@ -16,6 +16,7 @@ struct Glow {
     float strength = 1;  // brighter once it has been reached
     Colour light = palette::gold;
     Colour post = palette::gold, post_deep = palette::gold_deep;
+    double metre = 80;   // pixels, of what has no size of its own
 };
 
 // The drawing's fill is the goal's light, its stroke the posts; of one alone, both.
@@ -78,11 +79,11 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
         double const share = rise - std::floor(rise);
         double const x = low.x() + width * (0.12 + 0.76 * std::fmod(0.618034 * i, 1.0));
         float const alpha = static_cast<float>(std::sin(3.14159265 * share)) * 0.8f;
-        double const radius = 0.05 * camera.scale;
+        double const radius = 0.05 * glow.metre;
         shapes.emplace_back(Disc{{x, low.y() - share * height}, radius, colour(0xfff6c0, alpha), {}, 0, 0.8 * radius});
     }
-    double const post = 0.11 * camera.scale;
-    double const cloth = std::min(0.36 * camera.scale, 0.4 * height);
+    double const post = 0.11 * glow.metre;
+    double const cloth = std::min(0.36 * glow.metre, 0.4 * height);
     add_checks(shapes, {low.x(), high.y()}, {high.x(), high.y()}, {0, cloth}, glow.time);
     add_post(shapes, {low.x(), low.y()}, {low.x(), high.y()}, post, glow);
     add_post(shapes, {high.x(), low.y()}, {high.x(), high.y()}, post, glow);
@@ -91,7 +92,7 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
 void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camera const& camera, Glow const& glow) {
     Vec2 const centre = pixel_of(camera, disc.centre);
     double const radius = disc.radius * camera.scale;
-    double const width = std::min(0.12 * camera.scale, 0.3 * radius);
+    double const width = std::min(0.12 * glow.metre, 0.3 * radius);
     shapes.emplace_back(Disc{centre, radius, faded(glow.light, 0.4f * glow.strength), {}, 0, 0.6 * radius});
     shapes.emplace_back(ArcStroke{centre, radius, 0, whole_turn, width, glow.post_deep});
     for (int i = 0; i < 8; ++i) {
@@ -112,17 +113,17 @@ void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camer
 void add_finish(std::vector<Shape>& shapes, physics::LineRegion const& line, Camera const& camera, Glow const& glow) {
     Vec2 from = pixel_of(camera, line.from), to = pixel_of(camera, line.to);
     if (from.y() < to.y()) std::swap(from, to);  // `to` is the upper end
-    double const post = 0.1 * camera.scale;
+    double const post = 0.1 * glow.metre;
     shapes.emplace_back(Stroke{from, to, 3.5 * post, faded(glow.light, 0.2f * glow.strength)});
     Vec2 const way = to - from;
     bool const upright = std::abs(way.y()) > std::abs(way.x());
     if (!upright) {
-        add_checks(shapes, from, to, {0, 0.27 * camera.scale}, 0);
-        add_post(shapes, from, from - Vec2(0, 0.15 * camera.scale), post, glow);
-        add_post(shapes, to, to - Vec2(0, 0.15 * camera.scale), post, glow);
+        add_checks(shapes, from, to, {0, 0.27 * glow.metre}, 0);
+        add_post(shapes, from, from - Vec2(0, 0.15 * glow.metre), post, glow);
+        add_post(shapes, to, to - Vec2(0, 0.15 * glow.metre), post, glow);
         return;
     }
-    double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * camera.scale, 0.6 * camera.scale);
+    double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * glow.metre, 0.6 * glow.metre);
     add_checks(shapes, to, to + Vec2(1.5 * flag, 0), {0, flag}, glow.time);
     add_post(shapes, from, to, post, glow);
 }
@@ -150,6 +151,7 @@ std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, 
         if (level.meanings[i] != level::Meaning::goal) continue;
         Glow glow;
         glow.time = moment.time;
+        glow.metre = size_unit(level) * camera.scale;
         if (has_fired(moment, i)) glow.strength = 1.6f;
         if (i < level.sensor_tints.size()) glow = tinted(glow, level.sensor_tints[i]);
         physics::Region const& region = level.scene.sensors[i].region;

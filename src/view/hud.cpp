@@ -4,21 +4,18 @@
 #include <cmath>
 #include <cstdio>
 
+#include "game/medals.h"
 #include "view/palette.h"
 
 namespace view {
 
 namespace {
 
-constexpr double message_rise = 0.25;  // s: a message opens over this time
-
-int bananas_in(level::Level const& level) {
-    return static_cast<int>(std::count(level.meanings.begin(), level.meanings.end(), level::Meaning::banana));
-}
-
 void add_pill(std::vector<Shape>& shapes, Vec2 const& corner, Vec2 const& size, Colour const& paint) {
     shapes.emplace_back(Panel{corner, size, size.y() / 2, paint});
 }
+
+}  // namespace
 
 void add_banana_mark(std::vector<Shape>& shapes, Vec2 const& at, double size) {
     double constexpr from = 0.35, sweep = 2.0;
@@ -27,50 +24,13 @@ void add_banana_mark(std::vector<Shape>& shapes, Vec2 const& at, double size) {
     shapes.emplace_back(ArcStroke{centre, 0.62 * size, from, sweep, 0.34 * size, palette::banana});
 }
 
-// Pieces of paper whose way through the air depends on the time since the goal alone.
-void add_confetti(std::vector<Shape>& shapes, double age, Vec2 const& size) {
-    Colour const colours[] = {palette::red, palette::gold, palette::green, palette::blue, palette::violet};
-    double const unit = hud_scale(size);
-    int constexpr pieces = 90;
-    for (int i = 0; i < pieces; ++i) {
-        double const across = std::fmod(i * 0.61803398875, 1.0), luck = std::fmod(i * 0.7548776662, 1.0);
-        double const fall = (age - 0.9 * luck) * (170 + 130 * luck) * unit;
-        if (fall < 0 || fall > size.y() + 40 * unit) continue;
-        double const sway = 22 * unit * std::sin(2.5 * age + 9 * luck);
-        double const turn = age * (3 + 4 * luck) + i;
-        Vec2 const at(across * size.x() + sway, fall - 20 * unit);
-        Vec2 const half = 6 * unit * Vec2(std::cos(turn), 0.6 * std::sin(turn));
-        double const width = (2.5 + 4 * std::abs(std::sin(0.7 * turn + i))) * unit;
-        shapes.emplace_back(Stroke{at - half, at + half, width, colours[i % 5]});
-    }
+void add_spring_mark(std::vector<Shape>& shapes, Vec2 const& at, double size) {
+    auto const point = [&](int i) -> Vec2 {
+        return at + size * Vec2(-0.5 + i / 6.0, i == 0 || i == 6 ? 0.0 : i % 2 == 0 ? 0.35 : -0.35);
+    };
+    for (int i = 0; i < 6; ++i) shapes.emplace_back(Stroke{point(i), point(i + 1), 0.13 * size, palette::steel});
+    shapes.emplace_back(Disc{point(6), 0.16 * size, palette::strain, {}, 0, 0});
 }
-
-void add_message(std::vector<Shape>& shapes, std::string const& headline, std::string const& line, Colour const& paint,
-                 double age, Vec2 const& size) {
-    double const unit = hud_scale(size);
-    double const open = std::clamp(age / message_rise, 0.0, 1.0);
-    double const swell = 1 + 0.25 * std::sin(3.14159265 * open) * (1 - open);
-    float const presence = static_cast<float>(open);
-    Vec2 const middle(size.x() / 2, 0.3 * size.y());
-    double const height = 64 * unit * swell * (0.6 + 0.4 * open);
-    double const width =
-        std::max({text_width(headline) * height, text_width(line) * 24 * unit, 320 * unit}) + 70 * unit;
-    double const tall = (line.empty() ? 110 : 142) * unit;
-    Vec2 const corner = middle - Vec2(width / 2, 74 * unit);
-    shapes.emplace_back(
-        Panel{corner + Vec2(0, 5 * unit), {width, tall}, 22 * unit, faded(palette::ink, 0.25f * presence)});
-    shapes.emplace_back(Panel{corner, {width, tall}, 22 * unit, faded(palette::paper, presence)});
-    shapes.emplace_back(Label{middle, height, headline, faded(paint, presence), Anchor::Centre});
-    if (line.empty()) return;
-    Vec2 const below = middle + Vec2(0, 42 * unit);
-    shapes.emplace_back(Label{below, 22 * unit, line, faded(palette::ink, presence), Anchor::Centre});
-}
-
-std::string joined(std::string const& a, std::string const& b) {
-    return a.empty() || b.empty() ? a + b : a + "   -   " + b;
-}
-
-}  // namespace
 
 double hud_scale(Vec2 const& size) { return std::min(size.x() / 1280, size.y() / 720); }
 
@@ -96,8 +56,9 @@ std::vector<Shape> heading_shapes(level::Level const& level, Moment const& momen
         Vec2 const at(edge + width / 2, base);
         shapes.emplace_back(Label{at, letters, level.title, palette::bright, Anchor::Centre});
     }
-    bool const ended = moment.status.goal_time.has_value();
-    double clock = ended ? *moment.status.goal_time : moment.time;
+    game::Status const& status = moment.status;
+    bool const ended = status.goal_time || status.fall_time;
+    double clock = status.goal_time ? *status.goal_time : status.fall_time.value_or(moment.time);
     bool hurry = false;
     if (level.time_limit && !ended) {
         clock = std::max(0.0, *level.time_limit - moment.time);
@@ -107,32 +68,24 @@ std::vector<Shape> heading_shapes(level::Level const& level, Moment const& momen
     double right = size.x() - edge;
     add_pill(shapes, {right - width, edge}, {width, tall}, hurry ? faded(palette::red, 0.85f) : palette::night);
     shapes.emplace_back(Label{{right - width / 2, base}, letters, written(clock, 2), palette::bright, Anchor::Centre});
-    int const bananas = bananas_in(level);
-    if (bananas == 0) return shapes;
     right -= width + 10 * unit;
     double const wide = 112 * unit;
-    add_pill(shapes, {right - wide, edge}, {wide, tall}, palette::night);
-    add_banana_mark(shapes, {right - wide + 24 * unit, edge + 19 * unit}, 20 * unit);
-    std::string const count = std::to_string(moment.status.bananas) + " / " + std::to_string(bananas);
-    shapes.emplace_back(Label{{right - 18 * unit, base}, letters, count, palette::bright, Anchor::Right});
-    return shapes;
-}
-
-std::vector<Shape> ending_shapes(level::Level const& level, Moment const& moment, Vec2 const& size,
-                                 std::string const& hint) {
-    std::vector<Shape> shapes;
-    game::Status const& status = moment.status;
-    if (status.goal_time) {
-        double const age = moment.time - *status.goal_time;
-        add_confetti(shapes, age, size);
-        std::string line = written(*status.goal_time, 2) + " s";
-        int const bananas = bananas_in(level);
-        if (bananas > 0) line += ", " + std::to_string(status.bananas) + " of " + std::to_string(bananas) + " bananas";
-        add_message(shapes, "Goal!", joined(line, hint), palette::gold_deep, age, size);
-    } else if (status.fall_time) {
-        add_message(shapes, "Fall out", hint, palette::red, moment.time - *status.fall_time, size);
-    } else if (status.out_of_time && level.time_limit) {
-        add_message(shapes, "Time over", hint, palette::red, moment.time - *level.time_limit, size);
+    // A mark and how much there is of what it stands for; returns the mark's middle.
+    auto const add_count = [&](std::string const& count, Colour const& paint) -> Vec2 {
+        add_pill(shapes, {right - wide, edge}, {wide, tall}, palette::night);
+        shapes.emplace_back(Label{{right - 18 * unit, base}, letters, count, paint, Anchor::Right});
+        Vec2 const mark(right - wide + 24 * unit, edge + 19 * unit);
+        right -= wide + 10 * unit;
+        return mark;
+    };
+    if (int const bananas = game::bananas_in(level); bananas > 0) {
+        std::string const count = std::to_string(status.bananas) + " / " + std::to_string(bananas);
+        add_banana_mark(shapes, add_count(count, palette::bright), 20 * unit);
+    }
+    if (level.pars.pulls && level.drag_reach > 0) {
+        bool const too_many = status.pulls > *level.pars.pulls;
+        std::string const count = std::to_string(status.pulls) + " / " + std::to_string(*level.pars.pulls);
+        add_spring_mark(shapes, add_count(count, too_many ? palette::strain : palette::bright), 20 * unit);
     }
     return shapes;
 }
@@ -150,9 +103,9 @@ std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 cons
         Vec2 const at = middle + Vec2(mark, 0) * unit;
         shapes.emplace_back(Stroke{at - Vec2(0, 11) * unit, at + Vec2(0, 11) * unit, 2 * unit, palette::ink});
     }
-    // Gravity turned counter-clockwise pulls to the right, and the bubble goes the other way.
-    Vec2 const bubble = middle - Vec2(share * 92 * unit, 0);
-    shapes.emplace_back(Disc{bubble, 10 * unit, colour(0xf4ffd8, 0.95f), colour(0x5d8a1e), 1.5 * unit, 0});
+    // Gravity turned counter-clockwise pulls to the right: it goes where a ball would roll.
+    Vec2 const marble = middle + Vec2(share * 92 * unit, 0);
+    shapes.emplace_back(Disc{marble, 10 * unit, colour(0xf4ffd8, 0.95f), colour(0x5d8a1e), 1.5 * unit, 0});
     return shapes;
 }
 

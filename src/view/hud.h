@@ -1,4 +1,4 @@
-// What is written over the scene: clock, bananas, messages, help, the bubble that shows the tilt.
+// What is written over the scene: clock, bananas, messages, help, the marble that shows the tilt.
 #pragma once
 
 #include <string>
@@ -16,11 +16,7 @@ double hud_scale(Vec2 const& size);
 
 std::vector<Shape> heading_shapes(level::Level const& level, Moment const& moment, Vec2 const& size);
 
-// The message at the end of a game and what falls from the sky; empty while the game goes on.
-std::vector<Shape> ending_shapes(level::Level const& level, Moment const& moment, Vec2 const& size,
-                                 std::string const& hint);
-
-// A bubble level, shown while gravity is turned.
+// A ball in a groove, shown while gravity is turned.
 std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 const& size);
 
 struct KeyHelp {
@@ -33,6 +29,10 @@ std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 c
 
 // A word in the upper middle: paused, slow motion.
 std::vector<Shape> badge_shapes(std::string const& text, Vec2 const& size);
+
+// What stands for bananas and for pulls, `size` high, pixels.
+void add_banana_mark(std::vector<Shape>& shapes, Vec2 const& at, double size);
+void add_spring_mark(std::vector<Shape>& shapes, Vec2 const& at, double size);
 
 // A number with so many digits after the point.
 std::string written(double value, int digits);

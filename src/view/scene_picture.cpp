@@ -5,6 +5,7 @@
 
 #include "view/actors.h"
 #include "view/backdrop.h"
+#include "view/ending.h"
 #include "view/hud.h"
 
 namespace view {
@@ -36,9 +37,10 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     append(shapes, ball_shapes(stage.level, moment, camera));
     append(shapes, spring_shapes(stage.level, moment, camera));
     append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays));
+    if (dressing.lettering == Lettering::none) return picture;
     append(shapes, heading_shapes(stage.level, moment, camera.size));
     append(shapes, tilt_shapes(stage.level, moment.forces.tilt, camera.size));
-    append(shapes, ending_shapes(stage.level, moment, camera.size, dressing.hint));
+    append(shapes, ending_shapes(stage.level, moment, camera.size, dressing.ending));
     return picture;
 }
 

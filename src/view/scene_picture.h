@@ -1,9 +1,8 @@
 // What a level looks like at one moment: the whole picture, as data.
 #pragma once
 
-#include <string>
-
 #include "view/camera.h"
+#include "view/ending.h"
 #include "view/ground.h"
 #include "view/moment.h"
 #include "view/overlay.h"
@@ -18,9 +17,11 @@ struct Stage {
 };
 Stage stage_of(level::Level level);
 
+enum class Lettering { game, none };  // none: the scene alone, behind the title
 struct Dressing {
     Overlays overlays;
-    std::string hint;  // under the message at the end of a game, such as which key goes on
+    EndingNote ending;
+    Lettering lettering = Lettering::game;
 };
 
 // The same arguments give the same picture, shape by shape.

@@ -8,15 +8,17 @@ namespace view {
 
 namespace {
 
-constexpr int half_turns = 22;
+constexpr int most_half_turns = 22;
+constexpr double least_pitch = 1.1;  // units: a short spring shows fewer turns, not a block
 
 // The coil from the side: half turns in front lean one way, those behind the other.
-std::vector<Vec2> coil(Vec2 const& from, Vec2 const& to, double lead, double amplitude) {
+std::vector<Vec2> coil(Vec2 const& from, Vec2 const& to, double lead, double amplitude, double unit) {
     Vec2 const way = to - from;
     double const length = geometry::length(way);
     Vec2 const along = way / length;
     Vec2 const across = geometry::turned_left(along);
     std::vector<Vec2> points = {from, from + lead * along};
+    int const half_turns = std::clamp(static_cast<int>((length - 2 * lead) / (least_pitch * unit)), 2, most_half_turns);
     double const pitch = (length - 2 * lead) / half_turns;
     for (int i = 0; i < half_turns; ++i) {
         double const side = i % 2 == 0 ? amplitude : -amplitude;
@@ -42,7 +44,7 @@ std::vector<Shape> spring_shapes(level::Level const& level, Moment const& moment
     Vec2 const from = pixel_of(camera, moment.balls[static_cast<std::size_t>(pull.ball)].position);
     Vec2 const to = pixel_of(camera, pull.target);
     double const length = geometry::length(to - from);
-    double const unit = 0.05 * camera.scale;
+    double const unit = 0.05 * size_unit(level) * camera.scale;
     double const stretch = std::clamp(length / (level.drag_reach * camera.scale), 0.0, 1.0);
     Colour const wire = mixed(palette::steel, palette::strain, static_cast<float>(stretch));
     Colour const back = mixed(palette::steel_back, palette::strain, static_cast<float>(0.5 * stretch));
@@ -50,7 +52,7 @@ std::vector<Shape> spring_shapes(level::Level const& level, Moment const& moment
         // The wire keeps its length: a coil that is drawn out becomes slimmer.
         double const amplitude = 3.6 * unit * std::sqrt(std::max(0.12, 1 - stretch * stretch));
         double const lead = std::min(3 * unit, 0.2 * length);
-        std::vector<Vec2> const points = coil(from, to, lead, amplitude);
+        std::vector<Vec2> const points = coil(from, to, lead, amplitude, unit);
         std::size_t const last = points.size() - 1;
         for (std::size_t i = 0; i < last; ++i)
             shapes.emplace_back(Stroke{points[i], points[i + 1], 1.35 * unit, faded(palette::ink, 0.85f)});

@@ -7,10 +7,23 @@
 
 namespace view {
 
+namespace {
+
+constexpr double margin = 16, thickness = 16, grip = 24;  // pixels of a picture of 1280x720
+
+}  // namespace
+
+bool is_on_timeline(Vec2 const& pixel, Vec2 const& size) { return pixel.y() >= size.y() - grip * hud_scale(size); }
+
+double time_at(Timeline const& timeline, Vec2 const& pixel, Vec2 const& size) {
+    double const left = margin * hud_scale(size), length = std::max(size.x() - 2 * left, 1.0);
+    return timeline.from + std::clamp((pixel.x() - left) / length, 0.0, 1.0) * (timeline.to - timeline.from);
+}
+
 std::vector<Shape> timeline_shapes(Timeline const& timeline, Vec2 const& size) {
     std::vector<Shape> shapes;
     double const unit = hud_scale(size);
-    double const left = 16 * unit, right = size.x() - 16 * unit, y = size.y() - 8 * unit;
+    double const left = margin * unit, right = size.x() - margin * unit, y = size.y() - thickness / 2 * unit;
     double const length = std::max(timeline.to - timeline.from, 1e-9);
     auto const at = [&](double time) {
         double const share = std::clamp((time - timeline.from) / length, 0.0, 1.0);
@@ -19,7 +32,7 @@ std::vector<Shape> timeline_shapes(Timeline const& timeline, Vec2 const& size) {
     auto const bar = [&](double from, double to, double width, Colour const& paint) {
         shapes.emplace_back(Stroke{at(from), at(to), width * unit, paint});
     };
-    shapes.emplace_back(Panel{{0, size.y() - 16 * unit}, {size.x(), 16 * unit}, 0, palette::night});
+    shapes.emplace_back(Panel{{0, size.y() - thickness * unit}, {size.x(), thickness * unit}, 0, palette::night});
     bar(timeline.from, timeline.to, 4, faded(palette::bright, 0.3f));
     bar(timeline.from, timeline.shown, 4, faded(palette::bright, 0.85f));
     for (Timeline::Span const& pull : timeline.pulls) bar(pull.from, pull.to, 4, palette::strain);

@@ -20,6 +20,10 @@ struct Timeline {
     std::vector<Span> pulls;  // when a ball was dragged
 };
 
+// Whether a pixel is on the bar, or near enough to press it; and the moment that it stands for, s.
+bool is_on_timeline(Vec2 const& pixel, Vec2 const& size);
+double time_at(Timeline const& timeline, Vec2 const& pixel, Vec2 const& size);
+
 std::vector<Shape> timeline_shapes(Timeline const& timeline, Vec2 const& size);
 
 }  // namespace view

@@ -7,10 +7,16 @@ import json
 import os
 import signal
 import subprocess
+from pathlib import Path
 
-from program import ASSETS, PATIENCE, SMALL_LEVEL, ProgramTest, main, until
+from program import PATIENCE, SMALL_LEVEL, ProgramTest, main, until
 
-LEVEL = ASSETS / "levels/01-sunny-hills.svg"
+# A ball at rest, and the spring that there is where a level says nothing of it: strong enough to lift the ball.
+LEVEL = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 9"><title>Floor</title>
+<path id="floor" class="terrain" d="M -1 4.8 H 20"/>{}
+<circle class="ball" cx="1.9" cy="4.4" r="0.4"/></svg>
+"""
+GOAL = '<rect class="goal" x="5" y="1" width="3" height="3.8"/>'
 WIDTH, HEIGHT = 960, 540
 SCALE = WIDTH / 16  # pixels per metre: a level of 16 m x 9 m is shown whole
 START = (1.9, 4.6)  # m, of the ball
@@ -42,9 +48,11 @@ class Display:
 
 
 class Window(ProgramTest):
-    def open(self, renderer):
+    def open(self, renderer, *files):
+        """Without files: the level above."""
         self.display = Display(self)
-        self.game = self.start("play", LEVEL, "--renderer", renderer, "--size", f"{WIDTH}x{HEIGHT}",
+        files = files or [self.file("floor.svg", LEVEL.format(""))]
+        self.game = self.start("play", *files, "--renderer", renderer, "--size", f"{WIDTH}x{HEIGHT}",
                                changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11"})
         self.window = until(self.find_window, "the window", self.game)
         until(lambda: len(set(self.screenshot())) > 50, "the first picture", self.game)
@@ -88,8 +96,11 @@ class Window(ProgramTest):
         self.pointer("mouseup", 1)
         until(lambda: not self.differs(air, TARGET), "the ball to fall when it is let go", self.game)
 
+    def press_key(self, key):
+        self.pointer("key", "--window", self.window, key)
+
     def save(self):
-        self.pointer("key", "--window", self.window, "F5")
+        self.press_key("F5")
         return until(lambda: [path for path in (self.folder / "data").rglob("*.json")
                               if b'"final"' in path.read_bytes()], "the saved run", self.game)[0]
 
@@ -166,7 +177,7 @@ class Window(ProgramTest):
 
     def test_the_hook_goes_along_while_the_pointer_is_held_still_beyond_the_reach(self):
         self.open("software")
-        far = (15.5, 8.5)
+        far = (12.5, 7)  # where the ball comes to it, it is still well in sight
         self.move_to(START)
         self.pointer("mousedown", 1)
         self.move_to(far)
@@ -184,9 +195,9 @@ class Window(ProgramTest):
     def test_a_spoilt_list_of_best_times_is_set_aside_with_one_message(self):
         best = self.file("data/smb2d/best.json", '{"00000000000000')
         level = self.file("over.svg", SMALL_LEVEL.replace("</svg>", '<line class="goal" x1="2.2" x2="2.2" y2="4"/></svg>'))
-        display = Display(self)
-        game = self.start("play", level, "--renderer", "software", "--size", "320x180",
-                          changes={"DISPLAY": display.name, "SDL_VIDEODRIVER": "x11"})
+        self.open("software", level)
+        self.press_key("space")
+        game = self.game
         aside = best.with_name("best.json.spoilt")
         until(lambda: aside.exists() and best.exists(), "the best time to be kept", game)
         self.assertEqual(aside.read_text(), '{"00000000000000')
@@ -229,6 +240,92 @@ class Window(ProgramTest):
         self.save_drawing(RED_FLOOR.replace("#f00", "#00f"))
         self.until_colour(b"\x00\x00\xff")
         self.close()
+
+    def test_the_world_waits_for_the_first_input_and_runs_begin_there(self):
+        falling = LEVEL.format("").replace('cy="4.4"', 'cy="3"')
+        self.open("software", self.file("falling.svg", falling))
+        self.pointer("keydown", "F1")  # nothing of these is an input
+        self.pointer("keyup", "F1")
+        self.press_key("F1")
+        run = self.save()
+        self.assertEqual(json.loads(run.read_text())["duration"], 0)
+        run.unlink()
+        self.pointer("keydown", "Right")
+        self.pointer("sleep", 0.3)
+        self.pointer("keyup", "Right")
+        run = self.save()
+        self.assertEqual(self.inputs(run)[0]["t"], 0)
+        self.assertGreater(self.inputs(run)[0]["tilt"], 0)
+        self.assertGreater(json.loads(run.read_text())["duration"], 0)
+        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+
+    def test_a_press_near_the_ball_takes_it(self):
+        self.open("software")
+        self.move_to((START[0] + 1.7 * 0.4, START[1]))
+        self.pointer("mousedown", 1)
+        self.move_to(TARGET)
+        self.pointer("mouseup", 1)
+        kinds = [event["event"] for event in self.trace(self.save(), "--events")]
+        self.assertEqual((kinds.count("grab"), kinds.count("release")), (1, 1))
+
+    def test_a_ball_that_is_taken_in_the_past_plays_on_from_there(self):
+        self.open("software")
+        self.drag_the_ball()
+        whole = self.save()
+        empty = self.patch(START)
+        self.pointer("keydown", "comma")
+        until(lambda: self.differs(empty, START), "the ball to be back where it began", self.game)
+        until(lambda: self.screenshot() == self.screenshot(), "the beginning, where time stands", self.game)
+        self.pointer("keyup", "comma")
+        self.move_to(START)
+        self.pointer("mousedown", 1)
+        self.move_to((START[0] + 2, START[1]))
+        self.pointer("mouseup", 1)
+        whole_inputs = self.inputs(whole)
+        whole.unlink()
+        run = self.save()
+        kinds = [event["event"] for event in self.trace(run, "--events")]
+        self.assertEqual((kinds.count("grab"), kinds.count("release")), (2, 2))
+        common = [entry for entry in whole_inputs if entry in self.inputs(run)]
+        self.assertEqual(common, self.inputs(run)[:len(common)])
+        self.assertNotIn(whole_inputs[-1], self.inputs(run))  # the first release is no part of it any more
+        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+
+    def test_at_the_goal_the_ball_is_let_go_and_enter_goes_on(self):
+        self.open("software", self.file("goal.svg", LEVEL.format(GOAL)))
+        self.move_to(START)
+        self.pointer("mousedown", 1)
+        self.move_to((6.5, 5))
+        best = self.folder / "data/smb2d/best.json"
+        until(best.exists, "the time to be kept", self.game)
+        run = self.save()  # the button is still down
+        self.assertIn("release", self.inputs(run)[-1])
+        goal = next(float(e["t"]) for e in self.trace(run, "--events") if e["event"] == "goal")
+        self.assertEqual(list(json.loads(best.read_text()).values()), [goal])
+        self.assertLess(self.inputs(run)[-1]["t"] - goal, 0.2)
+        run.unlink()
+        self.pointer("mouseup", 1)
+        name = lambda: self.display.run("xdotool", "getwindowname", self.window)
+        before = name()
+
+        def goes_on():
+            self.press_key("Return")
+            return name() != before
+
+        until(goes_on, "the next level", self.game)
+        self.assertEqual(json.loads(self.save().read_text())["duration"], 0)
+
+    def test_the_title_starts_the_first_level_by_a_key(self):
+        self.display = Display(self)
+        self.game = self.start("play", "--renderer", "software", "--size", f"{WIDTH}x{HEIGHT}",
+                               changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11"})
+        self.window = until(self.find_window, "the window", self.game)
+        first = self.screenshot()
+        until(lambda: self.screenshot() != first, "the title to move", self.game)
+        self.press_key("F5")  # is a key as any other: starts, and saves nothing
+        run = self.save()
+        self.assertEqual(Path(json.loads(run.read_text())["level"]).name, "01-sunny-hills.svg")
+        self.assertEqual(json.loads(run.read_text())["duration"], 0)
 
     def test_closing_the_window_ends_the_program(self):
         self.open("software")

@@ -284,6 +284,52 @@ TEST_CASE("what happens first ends the game: no goal after a fall or when time i
     CHECK_FALSE(game::status_at(session, 3).goal_time);
 }
 
+TEST_CASE("where nothing can be pulled, a grab is nothing") {
+    level::Level level = empty_level(Vec2(1, 0));
+    level.drag_reach = 0;
+    Session session = session_of(level, drag());
+    game::advance(session, 1);
+    CHECK(session.pulled_at.empty());
+    CHECK(session.forces.back().forces.tilt == 0.2);
+    CHECK_FALSE(session.world.forces.pull);
+    level.tilt_limit = 0;
+    session = session_of(level, drag());
+    game::advance(session, 1);
+    CHECK(geometry::length(physics::state_at(session.history, 0, 1).position - Vec2(1, 0)) < 1e-12);
+}
+
+TEST_CASE("a pull is counted when a ball is taken") {
+    level::Level const level = empty_level(Vec2(1, 0));
+    std::vector<game::Input> inputs = drag();
+    inputs.push_back({0.8, game::Grab{0, Vec2(0, 0)}});
+    inputs.push_back({0.9, game::Release{}});
+    Session session = session_of(level, inputs);
+    game::advance(session, 1);
+    CHECK(game::status_at(session, 0.1).pulls == 0);
+    CHECK(game::status_at(session, 0.2).pulls == 1);
+    CHECK(game::status_at(session, 0.75).pulls == 1);
+    CHECK(game::status_at(session, 1).pulls == 2);
+}
+
+TEST_CASE("a game taken back to a moment is as it was then, and goes on as it went") {
+    level::Level level = empty_level(Vec2(1, 0.3));
+    level.scene.gravity = 9.81;
+    for (physics::Method const& method : {physics::Method(physics::Exact{}), physics::Method(physics::Steps{})}) {
+        auto const shared = std::make_shared<level::Level const>(level);
+        Session whole = game::session_of(shared, method, drag());
+        game::advance(whole, 2);
+        Session earlier = game::rewound(whole, 0.5);
+        CHECK(earlier.inputs.size() == 3);
+        CHECK(game::state_hash(earlier, 0.5) == game::state_hash(whole, 0.5));
+        game::advance(earlier, 0.71);
+        game::act(earlier, game::Release{});
+        game::advance(earlier, 2);
+        bool const is_exact = std::holds_alternative<physics::Exact>(method);
+        if (is_exact) CHECK(game::state_hash(earlier, 2) == game::state_hash(whole, 2));
+        CHECK(earlier.inputs.size() == 4);
+    }
+}
+
 TEST_CASE("the state's hash is FNV-1a of its little-endian doubles") {
     // From an independent program.
     CHECK(game::state_hash(std::vector<physics::State>(1)) == "a09d945a1cd8d6e5");

@@ -75,6 +75,21 @@ TEST_CASE("the root sets gravity, limits and drag") {
     CHECK(level.tilt_limit == 0.2);
 }
 
+TEST_CASE("the root says what is asked for and what lies behind") {
+    auto const level = read(with("<desc> Roll\n over </desc>", R"svg(data-par-time="12.5" data-pulls="3"
+        data-sky="#123 rgb(255,0,0)" data-hills="red #00ff00 blue" data-sun="none" data-clouds="white")svg"));
+    CHECK(level.hint == "Roll over");
+    CHECK(level.pars.time == 12.5);
+    CHECK(level.pars.pulls == 3);
+    CHECK(level.look.sky == std::vector<std::string>{"#112233", "#ff0000"});
+    CHECK(level.look.hills == std::vector<std::string>{"#ff0000", "#00ff00", "#0000ff"});
+    CHECK(level.look.sun == level::no_colour);
+    CHECK(level.look.clouds == "#ffffff");
+    CHECK(fault_of(with("", "data-pulls=\"1.5\"")).find("data-pulls must be a whole number") != std::string::npos);
+    CHECK(fault_of(with("", "data-sky=\"red\"")).find("data-sky must be 2 colours, got red") != std::string::npos);
+    CHECK(fault_of(with("", "data-sun=\"bright\"")).find("data-sun must be 1 colour, got bright") != std::string::npos);
+}
+
 TEST_CASE("the title is the level's name, else the file's") {
     CHECK(read(with("<title> A  hill\n</title>")).title == "A hill");
     File const file(with(""), "slope.svg");

@@ -14,6 +14,18 @@ double knob_of(view::Timeline const& timeline) {
 
 }  // namespace
 
+TEST_CASE("the moment under a pixel is the one whose knob would stand there") {
+    view::Timeline timeline{10, 10, 30, {}, {}};
+    for (double const time : {10.0, 12.5, 29.0, 30.0}) {
+        timeline.shown = time;
+        CHECK(view::time_at(timeline, Vec2(knob_of(timeline), 712), Vec2(1280, 720)) == doctest::Approx(time));
+    }
+    CHECK(view::time_at(timeline, Vec2(-50, 712), Vec2(1280, 720)) == 10);
+    CHECK(view::time_at(timeline, Vec2(2000, 712), Vec2(1280, 720)) == 30);
+    CHECK(view::is_on_timeline(Vec2(600, 712), Vec2(1280, 720)));
+    CHECK_FALSE(view::is_on_timeline(Vec2(600, 600), Vec2(1280, 720)));
+}
+
 TEST_CASE("the knob of the timeline stands where the shown time lies in what is kept") {
     // The bar runs from 16 to 1264 of 1280 pixels.
     CHECK(knob_of({10, 10, 30, {}, {}}) == doctest::Approx(16));

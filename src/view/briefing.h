@@ -1,0 +1,34 @@
+// Before the game: the title, what a level is about, and what the player has yet to learn.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "level/level.h"
+#include "view/camera.h"
+#include "view/picture.h"
+
+namespace view {
+
+// Over a level that plays itself; `time` in seconds moves it.
+std::vector<Shape> title_shapes(double time, Vec2 const& size);
+
+// The level's name, its hint and what is asked for, at the lower edge; presence fades it, 1 to 0.
+std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size);
+
+// A hand that takes hold of the ball at `from` and pulls it along `way`, pixels, again and again.
+std::vector<Shape> pulling_hand_shapes(Vec2 const& from, Vec2 const& way, double time, double unit);
+
+// Two keys, pressed in turn, that tilt the stage.
+std::vector<Shape> tilting_keys_shapes(double time, Vec2 const& size);
+
+// Round a ball that a press would take hold of.
+std::vector<Shape> grip_shapes(Vec2 const& centre, double radius, double unit);
+
+// Where the ball was in what the player has taken back.
+std::vector<Shape> ghost_shapes(Vec2 const& centre, double radius, double angle);
+
+// A text in lines of at most so many letters, broken at spaces.
+std::vector<std::string> lines_of(std::string const& text, std::size_t letters);
+
+}  // namespace view

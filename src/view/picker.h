@@ -1,0 +1,46 @@
+// The picker: the levels of a game as small pictures, with what was reached in them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/medals.h"
+#include "level/level.h"
+#include "view/picture.h"
+#include "view/polygon.h"
+
+namespace view {
+
+// A level drawn small: its ground as a shape before its sky, in metres, cut to the level's frame.
+struct Thumbnail {
+    Vec2 extent = Vec2(16, 9);  // m
+    Colour sky_top, sky_bottom;
+    std::vector<std::vector<Ring>> ground;  // bodies, each filled by the even-odd rule
+    std::vector<Vec2> bananas;
+    std::optional<Vec2> goal;
+    Vec2 ball = Vec2::Zero();
+    double radius = 0.5;  // m, of the ball
+};
+Thumbnail thumbnail_of(level::Level const& level);
+
+struct Tile {
+    std::string title;
+    std::optional<Thumbnail> thumbnail;  // none where the level is broken
+    game::Medal medal = game::Medal::none;
+    std::optional<double> best;  // s
+};
+
+// Which part of a ring lies within a box: a ring again, by the way along the box's edges (Sutherland and Hodgman).
+Ring ring_within(Ring const& ring, geometry::Box const& box);
+
+// Rows of so many tiles; of many rows those around the chosen one are seen.
+inline constexpr int picker_columns = 4;
+inline constexpr int picker_rows = 3;
+
+Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 const& size);
+
+// The tile at a pixel, as the picker lies with that one chosen.
+std::optional<std::size_t> tile_at(std::size_t tiles, std::size_t chosen, Vec2 const& pixel, Vec2 const& size);
+
+}  // namespace view

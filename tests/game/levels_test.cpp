@@ -1,0 +1,89 @@
+// The levels that ship: no robot wins them, their springs are weaker than a ball's weight, and for each there is a run
+// that wins gold and ends as it claims.
+#include <algorithm>
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+#include "game/medals.h"
+#include "game/method_choice.h"
+#include "game/run_file.h"
+#include "robots.h"
+
+namespace {
+
+namespace files = std::filesystem;
+
+std::vector<files::path> shipped_levels() {
+    std::vector<files::path> levels;
+    for (auto const& entry : files::directory_iterator(ASSETS "/levels"))
+        if (entry.path().extension() == ".svg") levels.push_back(entry.path());
+    std::sort(levels.begin(), levels.end());
+    return levels;
+}
+
+std::shared_ptr<level::Level const> read(files::path const& file) {
+    return std::make_shared<level::Level const>(level::read_level(file.string()));
+}
+
+game::Session session_of(std::shared_ptr<level::Level const> const& level) {
+    return game::session_of(level, game::method_for({}, level->scene));
+}
+
+constexpr double robots_patience = 60;  // s
+
+}  // namespace
+
+TEST_CASE("no robot wins a level but the first two") {
+    auto const levels = shipped_levels();
+    REQUIRE(levels.size() > 2);
+    for (std::size_t i = 2; i < levels.size(); ++i) {
+        auto const level = read(levels[i]);
+        for (game_test::Robot const& robot : game_test::robots()) {
+            CAPTURE(levels[i].filename().string());
+            CAPTURE(robot.name);
+            game::Session session = session_of(level);
+            robot.play(session, std::min(robots_patience, level->time_limit.value_or(robots_patience)));
+            CHECK(session.goal_time.value_or(-1) == -1);
+        }
+    }
+}
+
+TEST_CASE("no spring of a shipped level lifts a ball") {
+    constexpr double pi = 3.14159265358979;
+    for (files::path const& file : shipped_levels()) {
+        CAPTURE(file.filename().string());
+        auto const level = read(file);
+        double const stiffness = std::pow(2 * pi * level->scene.drag.frequency, 2);  // 1/s^2
+        CHECK(stiffness * level->drag_reach < level->scene.gravity);
+        CHECK((level->drag_reach > 0 || level->tilt_limit > 0));
+    }
+}
+
+TEST_CASE("every shipped level asks for a time and says what to do") {
+    for (files::path const& file : shipped_levels()) {
+        CAPTURE(file.filename().string());
+        auto const level = read(file);
+        CHECK(level->pars.time);
+        CHECK((level->drag_reach == 0 || level->pars.pulls));
+        CHECK(!level->hint.empty());
+        CHECK(game::bananas_in(*level) > 0);
+    }
+}
+
+TEST_CASE("every shipped level has a run of its name that wins gold and ends as it claims") {
+    for (files::path const& file : shipped_levels()) {
+        CAPTURE(file.filename().string());
+        game::Run const run = game::read_run(ASSETS "/runs/" + file.stem().string() + ".json");
+        auto const level = read(run.level_file);
+        CHECK(files::equivalent(run.level_file, file));
+        CHECK(run.level_hash == level->hash);
+        REQUIRE(run.final);
+        game::Session session =
+            game::session_of(level, game::method_for({run.method_name, run.rate}, level->scene), run.inputs);
+        game::advance(session, run.final->time);
+        CHECK(run.final->state_hash == game::state_hash(session, run.final->time));
+        REQUIRE(session.goal_time);
+        CHECK(game::medal_for(*level, game::status_at(session, *session.goal_time)) == game::Medal::gold);
+    }
+}

@@ -1,0 +1,38 @@
+#include "view/picker.h"
+
+#include <doctest/doctest.h>
+
+#include "view/polygon.h"
+
+using view::Ring;
+using view::Vec2;
+
+TEST_CASE("what of a ring lies within a box has the area that the two share") {
+    geometry::Box const box{Vec2(0, 0), Vec2(4, 2)};
+    Ring const around = {{-3, -3}, {9, -3}, {9, 9}, {-3, 9}};
+    CHECK(view::signed_area(view::ring_within(around, box)) == doctest::Approx(8));
+    Ring const beside = {{5, 0}, {7, 0}, {7, 2}, {5, 2}};
+    CHECK(view::ring_within(beside, box).empty());
+    Ring const corner = {{3, 1}, {6, 1}, {6, 5}, {3, 5}};
+    CHECK(view::signed_area(view::ring_within(corner, box)) == doctest::Approx(1));
+    Ring const triangle = {{0, -2}, {4, 2}, {0, 2}};  // its lower corner, half of 2 by 2, lies below
+    CHECK(view::signed_area(view::ring_within(triangle, box)) == doctest::Approx(6));
+}
+
+TEST_CASE("every tile that is seen is found at its place, and only there") {
+    for (std::size_t const count : {1u, 12u, 40u})
+        for (std::size_t chosen = 0; chosen < count; chosen += 5) {
+            Vec2 const size(1280, 720);
+            int found = 0;
+            std::vector<bool> seen(count);
+            for (double y = 0; y < size.y(); y += 10)
+                for (double x = 0; x < size.x(); x += 10)
+                    if (auto const tile = view::tile_at(count, chosen, Vec2(x, y), size)) {
+                        REQUIRE(*tile < count);
+                        seen[*tile] = true;
+                        ++found;
+                    }
+            CHECK(found > 0);
+            CHECK(seen[chosen]);
+        }
+}
