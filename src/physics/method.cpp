@@ -21,9 +21,8 @@ char const* name_of(Method const& method) {
 
 namespace {
 
-// A stepping method knows nothing of the way ahead: every ball is on a straight leg until the first step.
-template <typename Stepping>
-void begin_with(Stepping const&, Scene const& scene, World& world, History& history) {
+// A method of steps alone knows nothing of the way ahead: every ball is on a straight leg until the first step.
+void begin_with(Article const&, Scene const& scene, World& world, History& history) {
     for (Ball const& ball : scene.balls) {
         Standing const standing = standing_at_start(scene, ball);
         Leg leg;
@@ -36,8 +35,7 @@ void begin_with(Stepping const&, Scene const& scene, World& world, History& hist
 }
 
 // A step reads the forces when it begins.
-template <typename Stepping>
-void force_with(Stepping const&, Scene const&, World&, Forces const&, History&) {}
+void force_with(Article const&, Scene const&, World&, Forces const&, History&) {}
 
 }  // namespace
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/exact.h"
 #include "physics/steps_pairs.h"
+#include "physics/steps_plan.h"
 
 namespace physics {
 
@@ -52,46 +54,33 @@ void forget_events(Trail<Event>& events, int ball, double from) {
 
 // Takes a ball back to `time` within the substep.
 void go_back(Stage& stage, Substep const& substep, int ball, double time) {
-    Traveller& traveller = stage.travellers[ball];
     if (stage.asleep[ball]) return;
-    if (stage.leaning[ball]) {
-        traveller.state.position = on_the_way(stage, ball, time, substep.length);
+    if (is_stepped(stage.world, ball)) {
+        stage.travellers[ball].state.position = on_the_way(stage, ball, time, substep.length);
         return;
     }
-    Departure const& from = stage.departures[ball];
-    forget_events(substep.events, ball, substep.since + from.time);
-    traveller.state = from.state;
-    traveller.contact = from.contact;
-    travel({substep.terrain, substep.since, time, substep.pace, substep.events}, traveller, from.time);
+    forget_events(stage.history.events, ball, substep.since + stage.departures[ball].time);
+    return_to_departure(stage, ball);
+    follow(stage, ball, substep.since + time);
 }
 
-// A ball on the ground that was knocked by another: it comes off, or is pressed on and the ground answers.
-void answer_ground(Substep const& substep, Traveller& traveller, double now) {
-    if (traveller.contact.feature < 0) return;
-    Shape const shape = shape_of(substep.terrain, traveller.contact.feature);
-    Sight const sight = sight_of(substep.terrain, shape, traveller.state.position);
-    double const leaving = dot(traveller.state.velocity, sight.normal);
-    if (leaving > unmoving * length(traveller.state.velocity))
-        return change_contact(substep, traveller, EventKind::lift, no_contact, now);
-    double const e = shape.material->restitution;
-    Vec2 const a = acceleration_in(*traveller.field, traveller.state.position, traveller.state.velocity);
-    bool const bounces = -e * leaving > length(a) * substep.pace;
-    traveller.state =
-        after_impact(traveller.state, *traveller.ball, sight.normal, bounces ? e : 0, shape.material->friction).state;
-    if (!bounces) return;
-    change_contact(substep, traveller, EventKind::bounce, {shape.feature, sight.side}, now);
-    traveller.contact = no_contact;
-}
-
+// On from the hit to the end of the substep.
 void go_on(Stage& stage, Substep const& substep, int ball, double time) {
-    Traveller& traveller = stage.travellers[ball];
+    double const now = substep.since + time;
     if (stage.asleep[ball]) stage.regroup = stage.relist = true;
     stage.asleep[ball] = 0;
     stage.struck[ball] = 1;
-    traveller.still = false;
-    answer_ground(substep, traveller, time);
-    stage.departures[ball] = {traveller.state, traveller.contact, time};
-    travel(substep, traveller, time);
+    stage.travellers[ball].still = false;
+    if (stage.leaning[ball]) {
+        if (!is_stepped(stage.world, ball)) begin_chord(stage, ball, now);
+        depart(stage, ball, time);
+        sweep(stage, ball, now, substep.length - time);
+    } else {
+        strike(stage.scene, stage.world, stage.history, ball, stage.travellers[ball].state, now);
+        follow(stage, ball, now);
+        depart(stage, ball, time);
+        follow(stage, ball, substep.end());
+    }
 }
 
 // How hard two touching balls are pressed together by what acts on them, as far as it can be told: two in free flight
@@ -125,7 +114,7 @@ void hit(Stage& stage, Substep const& substep, Neighbours& e, double time) {
     double const pressing = pressing_on(stage, e, normal);
     double const restitution = restitution_between(*a.ball, *b.ball);
     double const closing = closing_of(stage, e);
-    bool const bounces = restitution * closing > 2 * pressing * substep.pace;
+    bool const bounces = restitution * closing > 2 * pressing * substep.length;
     PairImpact const impact = after_pair_impact(a.state, *a.ball, b.state, *b.ball, normal, bounces ? restitution : 0);
     a.state = impact.first;
     b.state = impact.second;
@@ -134,8 +123,8 @@ void hit(Stage& stage, Substep const& substep, Neighbours& e, double time) {
         e.leaning = true;
         stage.leaning[e.first] = stage.leaning[e.second] = 1;
     }
-    if (closing > 2 * pressing * substep.pace)
-        substep.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
+    if (closing > 2 * pressing * substep.length)
+        stage.history.events.push_back({substep.since + time, EventKind::hit, e.first, a.state, no_contact, e.second});
 }
 
 // What a leaning pair carries in a substep, as the speed that it would give the lighter of the two, m/s.
@@ -156,7 +145,7 @@ Softly softly_in(Stage const& stage, Substep const& substep) {
     auto const [lightest, heaviest] =
         std::minmax_element(stage.travellers.begin(), stage.travellers.end(),
                             [](Traveller const& a, Traveller const& b) { return a.ball->mass < b.ball->mass; });
-    return {soft_closing * length(stage.travellers.front().field->gravity) * substep.pace,
+    return {soft_closing * length(stage.travellers.front().field->gravity) * substep.length,
             heaviest->ball->mass / lightest->ball->mass - 1};
 }
 
@@ -201,7 +190,7 @@ bool far_apart(Body const& a, Body const& b, Vec2 const& d, double pace, double 
 // Most pairs neither collide nor part: they are told from the rest by the least that need be read.
 Suspects suspects_of(Stage const& stage, Substep const& substep, Softly const& soft) {
     Suspects suspects;
-    double const fall = 4 * substep.pace * substep.pace * length(stage.travellers.front().field->gravity);
+    double const fall = 4 * substep.length * substep.length * length(stage.travellers.front().field->gravity);
     for (int const k : stage.live) {
         Neighbours const& e = stage.neighbours[k];
         Body const& a = stage.pile.bodies[e.first + 1];
@@ -209,7 +198,7 @@ Suspects suspects_of(Stage const& stage, Substep const& substep, Softly const& s
         Vec2 const d = b.position - a.position;
         if (!e.leaning) {
             bool const pulled = e.first == stage.pulled || e.second == stage.pulled;
-            if (pulled || !far_apart(a, b, d, substep.pace, fall)) suspects.colliding.push_back(k);
+            if (pulled || !far_apart(a, b, d, substep.length, fall)) suspects.colliding.push_back(k);
             continue;
         }
         Vec2 const relative = b.velocity - a.velocity;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "physics/steps_pile.h"
+#include "physics/steps_plan.h"
 
 namespace physics {
 
@@ -153,8 +154,8 @@ std::vector<Touch> all_touches(Pile const& pile) {
     return all;
 }
 
-void group(Stage& stage) {
-    if (!stage.regroup) return;
+bool group(Stage& stage) {
+    if (!stage.regroup) return false;
     stage.regroup = stage.relist = false;
     std::size_t const count = stage.travellers.size();
     stage.leaning.assign(count, 0);
@@ -173,7 +174,7 @@ void group(Stage& stage) {
     stage.pile.balls.clear();
     stage.departures.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (stage.asleep[i]) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
+        if (stage.asleep[i]) depart(stage, static_cast<int>(i), 0);
         if (stage.asleep[i] || stage.alone[i]) continue;
         stage.awake.push_back(static_cast<int>(i));
         (stage.leaning[i] ? stage.pile.balls : stage.free).push_back(static_cast<int>(i));
@@ -185,10 +186,22 @@ void group(Stage& stage) {
         if (stage.leaning[touch.ball])
             (stage.asleep[touch.ball] ? stage.pile.left : stage.pile.touches).push_back(touch);
     gather_pile(stage);
+    return true;
+}
+
+void release_parted(Stage& stage, double now) {
+    for (Traveller& traveller : stage.travellers) {
+        int const i = traveller.index;
+        if (stage.leaning[i] || !is_stepped(stage.world, i)) continue;
+        end_chord(stage, i, now);
+        release(stage.scene, stage.world, stage.history, i, now);
+        traveller.state = at(stage.world.legs[i], now);
+        traveller.contact = stage.world.legs[i].contact;
+    }
 }
 
 void remember_departures(Stage& stage) {
-    for (int const i : stage.awake) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
+    for (int const i : stage.awake) depart(stage, i, 0);
 }
 
 }  // namespace physics

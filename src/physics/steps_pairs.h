@@ -15,8 +15,11 @@ void find_more_neighbours(Stage& stage);
 // Who has no neighbours.
 void mark_alone(Stage& stage);
 
-// Sorts balls and pairs by what a substep does with them, if that has changed.
-void group(Stage& stage);
+// Sorts balls and pairs by what a substep does with them, if that has changed. Answers whether it had.
+bool group(Stage& stage);
+
+// Who leans on nobody any more is on its plan from `now` on, the beginning of a substep.
+void release_parted(Stage& stage, double now);
 
 // Contacts with terrain of the balls that are moved and of those asleep.
 std::vector<Touch> all_touches(Pile const& pile);

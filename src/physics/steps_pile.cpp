@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/stepping.h"
+#include "physics/steps_plan.h"
+
 namespace physics {
 
 using geometry::length;
@@ -51,7 +54,8 @@ void look_at_ground(Stage& stage, Softness const& softness, double h) {
         double const watch = near_ground * body.radius + h * length(body.velocity);
         while (known != before.end() && known->ball < i) ++known;
         for (Shape const& shape :
-             shapes_on_the_way(stage.scene.terrain, traveller, body.position + h * body.velocity)) {
+             shapes_on_the_way(stage.scene.terrain, body.position, body.position + h * body.velocity, body.radius,
+                               traveller.near)) {
             Sight const sight = sight_of(stage.scene.terrain, shape, body.position);
             double const gap = sight.distance - body.radius;
             if (!sight.faces || gap > watch) continue;
@@ -84,11 +88,11 @@ void move_on(Stage& stage, Substep const& substep) {
             traveller.state.angle += h * (body.rim / body.radius);
             continue;
         }
-        // Not the soft way: through the air, with every line on it met.
-        traveller.state.velocity = body.velocity;
+        // Not the soft way: through the air, with every line on it met. What the field adds is in the velocity already.
+        Vec2 const added = h * acceleration_in(*traveller.field, traveller.state.position, traveller.state.velocity);
+        traveller.state.velocity = body.velocity - added;
         traveller.state.spin = body.rim / body.radius;
-        traveller.contact = no_contact;
-        travel(substep, traveller, 0);
+        sweep(stage, i, substep.since, h);
         body.position = traveller.state.position;
         body.velocity = traveller.state.velocity;
         body.rim = body.radius * traveller.state.spin;
@@ -156,7 +160,7 @@ void move_pile(Stage& stage, Substep const& substep) {
     Pile& pile = stage.pile;
     if (pile.balls.empty()) return;
     double const h = substep.length;
-    double const rate = 1 / substep.pace;
+    double const rate = 1 / h;
     double const frequency = std::min(rate / 4, std::max(firm, rate / 8));
     set_out(stage, h);
     look_at_ground(stage, softness_of(2 * frequency, h), h);

@@ -38,7 +38,8 @@ bool all_asleep(Scene const& scene, World const& world) {
            std::all_of(world.still_steps.begin(), world.still_steps.end(), [](int n) { return n >= steps_to_sleep; });
 }
 
-void put_to_sleep(Stage& stage, World& world, double pace) {
+void put_to_sleep(Stage& stage, double pace) {
+    World& world = stage.world;
     std::vector<char> const before = stage.asleep;
     mark_asleep(stage, world);
     wake_leaning(stage, world, pace);
