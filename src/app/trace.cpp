@@ -183,8 +183,8 @@ void Trace::add_event(game::Session const& session, physics::Event const& event)
     field("surface", surface_name(*session.level, event.contact));
     if (event.kind == physics::EventKind::sensor)
         field("other", number_of(*session.level, event.other));
-    else if (!event.balls.empty())
-        field("other", joined(event.balls));
+    else if (event.kind == physics::EventKind::handover || event.kind == physics::EventKind::takeover)
+        field("other", joined(session.history.islands[event.other]));
     else if (event.other >= 0)
         field("other", event.other);
     else

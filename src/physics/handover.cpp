@@ -13,8 +13,9 @@ namespace {
 
 void tell(EventKind kind, World const& world, History& history) {
     int const first = world.island.front();
-    history.events.push_back({world.time, kind, first, at(world.legs[first], world.time), world.legs[first].contact, -1,
-                              world.island});
+    if (history.islands.empty() || history.islands.back() != world.island) history.islands.push_back(world.island);
+    history.events.push_back({world.time, kind, first, at(world.legs[first], world.time), world.legs[first].contact,
+                              static_cast<int>(history.islands.size()) - 1});
 }
 
 bool are_near(Scene const& scene, World const& world, int a, int b) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/article.h"
+#include "physics/euler.h"
 #include "physics/exact.h"
 #include "physics/sense.h"
 #include "physics/stepping.h"
@@ -13,6 +14,7 @@ namespace physics {
 char const* name_of(Method const& method) {
     struct Names {
         char const* operator()(Article const&) const { return "article"; }
+        char const* operator()(Euler const&) const { return "euler"; }
         char const* operator()(Steps const&) const { return "steps"; }
         char const* operator()(Exact const&) const { return "exact"; }
     };
@@ -22,7 +24,8 @@ char const* name_of(Method const& method) {
 namespace {
 
 // A method of steps alone knows nothing of the way ahead: every ball is on a straight leg until the first step.
-void begin_with(Article const&, Scene const& scene, World& world, History& history) {
+template <typename OfStepsAlone>
+void begin_with(OfStepsAlone const&, Scene const& scene, World& world, History& history) {
     for (Ball const& ball : scene.balls) {
         Standing const standing = standing_at_start(scene, ball);
         Leg leg;
@@ -35,7 +38,8 @@ void begin_with(Article const&, Scene const& scene, World& world, History& histo
 }
 
 // A step reads the forces when it begins.
-void force_with(Article const&, Scene const&, World&, Forces const&, History&) {}
+template <typename OfStepsAlone>
+void force_with(OfStepsAlone const&, Scene const&, World&, Forces const&, History&) {}
 
 }  // namespace
 

@@ -35,10 +35,12 @@ void begin_stepping(World& world) {
     world.steps_taken = 0;
     world.touches.clear();
     world.neighbours.clear();
+    world.swells.clear();
     world.reaches.clear();
     world.still_steps.clear();
     world.in_step.clear();
     world.step_forces = world.forces;
+    world.clear_until = -never;
 }
 
 bool slips(double along, double rim) { return std::abs(along - rim) > no_slip * (std::abs(along) + std::abs(rim)); }

@@ -1,6 +1,7 @@
 #include "physics/steps.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "physics/exact.h"
 #include "physics/stepping.h"
@@ -12,6 +13,8 @@
 namespace physics {
 
 namespace {
+
+constexpr int steps_between_looks = 16;  // for how long the balls keep away from each other
 
 bool is_lone(Scene const& scene, World const& world) { return scene.balls.size() == 1 && !is_stepped(world, 0); }
 
@@ -98,12 +101,12 @@ void learn_of_forces(Scene const& scene, World& world, History& history, double 
         if (is_in_step(world, i) && !is_stepped(world, i) && is_other_field) change_field(scene, world, history, i, now);
     }
     world.step_forces = world.forces;
+    world.clear_until = -never;
 }
 
 // From `since`, where all balls are, to `then`, where those that have others near will be.
 void take_step(Stage& stage, Steps const& method, double since, double then) {
     World& world = stage.world;
-    learn_of_forces(stage.scene, world, stage.history, since);
     world.in_step.assign(stage.travellers.size(), 0);
     if (all_asleep(stage.scene, world)) return;
     see_where_all_are(stage, since);
@@ -115,6 +118,7 @@ void take_step(Stage& stage, Steps const& method, double since, double then) {
         for (int i = 0; i < method.substeps; ++i) move_all(stage, {since + i * pace, pace});
     for (std::size_t i = 0; i < stage.alone.size(); ++i) world.in_step[i] = !stage.alone[i];
     write_step(stage, since, then);
+    if (world.steps_taken % steps_between_looks == 0) world.clear_until = since + clear_span(stage);
 }
 
 void follow_all(Scene const& scene, World& world, History& history, double until) {
@@ -150,19 +154,25 @@ void advance_with(Steps const& method, Scene const& scene, World& world, double 
     if (is_lone(scene, world)) return advance_with(Exact{}, scene, world, until, history);
     std::size_t const first_event = history.events.size();
     tell_ahead(world, history);
-    Stage stage = stage_of(scene, world, history);
+    std::optional<Stage> stage;
     while (world.time < until) {
         double then = time_of_step(world, method.rate, world.steps_taken);
         if (world.time >= then) {
             double const since = then;
-            then = time_of_step(world, method.rate, ++world.steps_taken);
-            take_step(stage, method, since, then);
+            learn_of_forces(scene, world, history, since);
+            do {
+                then = time_of_step(world, method.rate, ++world.steps_taken);
+            } while (then < world.clear_until && then < until);
+            if (since >= world.clear_until) {
+                if (!stage) stage.emplace(stage_of(scene, world, history));
+                take_step(*stage, method, since, then);
+            }
         }
         double const to = std::min(then, until);
         follow_all(scene, world, history, to);
         world.time = to;
     }
-    leave(stage, world);
+    if (stage) leave(*stage, world);
     sort_events(history, first_event);
     keep_ahead(world, history);
 }

@@ -121,7 +121,28 @@ void look_for_neighbours(Stage& stage, double time) {
     stage.regroup = stage.relist = true;
 }
 
+// m, how far a ball on its plan can get in `time`. An impact turns speed and spin into each other, but adds to neither.
+double farthest(Traveller const& traveller, double time) {
+    State const& state = traveller.state;
+    double const speed = geometry::length(state.velocity) + traveller.ball->radius * std::abs(state.spin);
+    return time * (speed + time * geometry::length(traveller.field->gravity));
+}
+
+constexpr double clear_ahead = 0.25;  // s
+
 }  // namespace
+
+double clear_span(Stage& stage) {
+    if (!stage.neighbours.empty() || stage.pulled >= 0) return 0;
+    std::vector<Box> const near = stage.reaches;
+    for (Traveller const& traveller : stage.travellers) {
+        Vec2 const margin = Vec2::Constant(traveller.ball->radius + farthest(traveller, clear_ahead));
+        stage.reaches[traveller.index] = {traveller.state.position - margin, traveller.state.position + margin};
+    }
+    bool const is_clear = near_pairs(stage).empty();
+    stage.reaches = near;
+    return is_clear ? clear_ahead : 0;
+}
 
 void mark_alone(Stage& stage) {
     stage.alone.assign(stage.travellers.size(), 1);
@@ -201,7 +222,11 @@ void release_parted(Stage& stage, double now) {
 }
 
 void remember_departures(Stage& stage) {
-    for (int const i : stage.awake) depart(stage, i, 0);
+    for (int const i : stage.pile.balls) {
+        stage.departures[i].state = stage.travellers[i].state;
+        stage.departures[i].time = 0;
+    }
+    for (int const i : stage.free) depart(stage, i, 0);
 }
 
 }  // namespace physics

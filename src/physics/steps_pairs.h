@@ -12,6 +12,9 @@ void find_neighbours(Stage& stage, double step);
 // have had their step already: they are met in the next.
 void find_more_neighbours(Stage& stage);
 
+// For how long it is certain that no ball comes near another; 0 s where that is not known.
+double clear_span(Stage& stage);
+
 // Who has no neighbours.
 void mark_alone(Stage& stage);
 

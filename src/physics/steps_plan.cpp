@@ -103,7 +103,31 @@ void release(Scene const& scene, World& world, History& history, int ball, doubl
     set_out(scene, world, history, ball, state, contact, time);
 }
 
+namespace {
+
+// Whether the ball comes nowhere near terrain on the way of the flight.
+bool is_free(Terrain const& terrain, Traveller& traveller, Flight const& end, double span) {
+    Vec2 const& from = traveller.state.position;
+    double const reach =
+        traveller.ball->radius + span * (geometry::length(traveller.state.velocity) + geometry::length(end.velocity));
+    auto const& shapes = shapes_on_the_way(terrain, from, end.position, traveller.ball->radius, traveller.near);
+    return std::none_of(shapes.begin(), shapes.end(), [&](Shape const& shape) {
+        Sight const sight = sight_of(terrain, shape, from);
+        return sight.faces && sight.distance <= reach;
+    });
+}
+
+}  // namespace
+
 void sweep(Stage& stage, int ball, double time, double span) {
+    Traveller& traveller = stage.travellers[ball];
+    Flight const end = flight_in(*traveller.field, traveller.state.position, traveller.state.velocity, span);
+    if (is_free(stage.scene.terrain, traveller, end, span)) {
+        traveller.state = {end.position, end.velocity, traveller.state.angle + span * traveller.state.spin,
+                           traveller.state.spin};
+        traveller.contact = no_contact;
+        return;
+    }
     stage.alone_world.forces = stage.world.forces;
     stage.alone_world.legs.resize(stage.travellers.size());
     stage.alone_world.outlooks.resize(stage.travellers.size());

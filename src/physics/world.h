@@ -69,8 +69,7 @@ struct Event {
     int ball = 0;
     State state;      // just after
     Contact contact;  // the surface touched
-    int other = -1;   // the other ball of a hit, the sensor of a sensor event
-    std::vector<int> balls = {};  // handed over or taken back
+    int other = -1;   // the other ball of a hit, the sensor of a sensor event, the island of a hand-over or take-over
 };
 
 struct World {
@@ -82,11 +81,13 @@ struct World {
     long long steps_taken = 0;           // step n is at step_origin + n / rate
     std::vector<Touch> touches;          // stepping methods, by ball
     std::vector<Neighbours> neighbours;  // in order of the balls
+    std::vector<double> swells;          // by ball: how many times heavier than it is a leaning ball was taken to be
     std::vector<geometry::Box> reaches;  // by ball: while they keep within, there are no other neighbours
     std::vector<int> still_steps;        // by ball, for how many steps it has stood still; apply() clears it
     std::vector<char> in_step;           // by ball: settled to the end of the present step, the others to `time`
     Forces step_forces;                  // that act on those
     std::vector<Event> ahead;            // told of them, but not before their time
+    double clear_until = -never;         // s: under step_forces no ball comes near another before
 
     std::vector<Outlook> outlooks;  // of balls on their plan
     double quiet_until = -never;    // s, exact method: no event comes before, as far as is known
@@ -101,6 +102,7 @@ struct World {
 struct History {
     std::vector<Trail<Leg>> legs;
     Trail<Event> events;
+    std::vector<std::vector<int>> islands;  // the balls of each that was handed over, in order
     double from = 0;  // s: nothing is known of before
 };
 

@@ -239,7 +239,8 @@ TEST_CASE("the game ends at the same time however often one looks, under every m
     add_line(level, 0.8 - 1e-3, level::Meaning::goal);
     level.scene.sensors[0].ball = -1;
     for (physics::Method const& method :
-         {physics::Method(physics::Article{}), physics::Method(physics::Steps{}), physics::Method(physics::Exact{})}) {
+         {physics::Method(physics::Article{}), physics::Method(physics::Euler{}), physics::Method(physics::Steps{}),
+          physics::Method(physics::Exact{})}) {
         auto const shared = std::make_shared<level::Level const>(level);
         Session once = game::session_of(shared, method, drag()), often = game::session_of(shared, method, drag());
         game::advance(once, 2);
