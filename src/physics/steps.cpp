@@ -24,8 +24,10 @@ bool is_other(Field const& a, Field const& b) {
     return a.gravity != b.gravity || a.pulled != b.pulled || a.target != b.target;
 }
 
-Stage stage_of(Scene const& scene, World& world, History& history) {
+Stage stage_of(Steps const& method, Scene const& scene, World& world, History& history) {
     Stage stage(scene, world, history);
+    stage.step = 1 / method.rate;
+    stage.pace = stage.step / method.substeps;
     stage.pulled = world.forces.pull ? world.forces.pull->ball : -1;
     stage.fields = {field_on(scene, world.forces, -1), field_on(scene, world.forces, stage.pulled)};
     int const count = static_cast<int>(scene.balls.size());
@@ -42,12 +44,15 @@ Stage stage_of(Scene const& scene, World& world, History& history) {
     stage.neighbours = std::move(world.neighbours);
     stage.reaches = std::move(world.reaches);
     stage.pile.touches = std::move(world.touches);
+    stage.pile.swell = std::move(world.swells);
+    stage.pile.swell.resize(scene.balls.size(), 1);
     mark_alone(stage);
     return stage;
 }
 
 void leave(Stage& stage, World& world) {
     world.touches = all_touches(stage.pile);
+    world.swells = std::move(stage.pile.swell);
     world.neighbours = std::move(stage.neighbours);
     if (!stage.looked_anew) world.reaches = std::move(stage.reaches);
 }
@@ -65,7 +70,7 @@ void move_all(Stage& stage, Substep const& substep) {
     remember_departures(stage);
     for (int const i : stage.free) follow(stage, i, substep.end());
     move_pile(stage, substep);
-    if (!stage.live.empty()) collide(stage, substep);
+    if (!stage.live.empty() || stage.looked_anew) collide(stage, substep);
 }
 
 Phase phase_of(Terrain const& terrain, Traveller const& traveller) {
@@ -110,12 +115,11 @@ void take_step(Stage& stage, Steps const& method, double since, double then) {
     world.in_step.assign(stage.travellers.size(), 0);
     if (all_asleep(stage.scene, world)) return;
     see_where_all_are(stage, since);
-    double const step = 1 / method.rate, pace = step / method.substeps;
-    put_to_sleep(stage, pace);
-    find_neighbours(stage, step);
+    put_to_sleep(stage, stage.pace);
+    find_neighbours(stage, stage.step);
     if (group(stage)) release_parted(stage, since);
     if (!stage.awake.empty())
-        for (int i = 0; i < method.substeps; ++i) move_all(stage, {since + i * pace, pace});
+        for (int i = 0; i < method.substeps; ++i) move_all(stage, {since + i * stage.pace, stage.pace});
     for (std::size_t i = 0; i < stage.alone.size(); ++i) world.in_step[i] = !stage.alone[i];
     write_step(stage, since, then);
     if (world.steps_taken % steps_between_looks == 0) world.clear_until = since + clear_span(stage);
@@ -164,7 +168,7 @@ void advance_with(Steps const& method, Scene const& scene, World& world, double 
                 then = time_of_step(world, method.rate, ++world.steps_taken);
             } while (then < world.clear_until && then < until);
             if (since >= world.clear_until) {
-                if (!stage) stage.emplace(stage_of(scene, world, history));
+                if (!stage) stage.emplace(stage_of(method, scene, world, history));
                 take_step(*stage, method, since, then);
             }
         }

@@ -35,8 +35,12 @@ bool knows_all(Stage const& stage) { return stage.reaches.size() == stage.travel
 bool all_covered(Stage const& stage, double time) {
     return std::all_of(stage.travellers.begin(), stage.travellers.end(), [&](Traveller const& traveller) {
         State const& state = traveller.state;
+        Vec2 way = time * state.velocity;
+        if (traveller.field->pulled)
+            way = way.cwiseAbs() +
+                  time * time * acceleration_in(*traveller.field, state.position, state.velocity).cwiseAbs();
         return stage.asleep[traveller.index] ||
-               covers(stage.reaches[traveller.index], traveller.ball->radius, state.position, time * state.velocity);
+               covers(stage.reaches[traveller.index], traveller.ball->radius, state.position, way);
     });
 }
 
@@ -156,13 +160,13 @@ void find_neighbours(Stage& stage, double step) {
     mark_alone(stage);
 }
 
-void find_more_neighbours(Stage& stage) {
-    bool const covered = std::all_of(stage.awake.begin(), stage.awake.end(), [&](int i) {
+void find_more_neighbours(Stage& stage, std::vector<int> const& balls) {
+    bool const covered = std::all_of(balls.begin(), balls.end(), [&](int i) {
         Body const& body = stage.pile.bodies[i + 1];
         return covers(stage.reaches[i], body.radius, body.position, Vec2::Zero());
     });
     if (covered) return;
-    look_for_neighbours(stage, 0);
+    look_for_neighbours(stage, stage.step);
     stage.looked_anew = true;
     std::erase_if(stage.neighbours,
                   [&](Neighbours const& pair) { return stage.alone[pair.first] || stage.alone[pair.second]; });

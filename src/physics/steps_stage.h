@@ -46,6 +46,8 @@ struct Pile {
     std::vector<SoftContact> ground;    // one for each touch
     std::vector<Touch> touches;         // of these balls
     std::vector<Touch> left;            // of balls asleep
+    std::vector<int> deep;              // balls pressed too deep into terrain
+    std::vector<double> swell;          // by ball: how many times heavier it is taken to be
 };
 
 struct Stage {
@@ -54,6 +56,8 @@ struct Stage {
     Scene const& scene;
     World& world;
     History& history;
+    double pace = 0;            // s, from one substep to the next
+    double step = 0;            // s, of its substeps together
     std::vector<Field> fields;  // that of the balls that are not pulled, then of the one that is
     std::vector<Traveller> travellers;
     std::vector<Neighbours> neighbours;  // in order of the balls
@@ -66,6 +70,9 @@ struct Stage {
     std::vector<int> awake;     // the others that are not alone, in order
     std::vector<int> free;      // of these, those that do not lean on others
     std::vector<int> live;      // neighbours of which one is awake
+    std::vector<int> pairs_of;    // the live neighbours of one ball after the other,
+    std::vector<int> pairs_from;  // by ball: where its own begin
+    std::vector<double> soonest;  // by ball, s: scratch of the search for the next hits, `never` between
     Pile pile;
     int pulled = -1;           // the ball on the drag spring
     bool regroup = true;       // who leans, or who is awake, is not as it was when the groups were made
