@@ -122,7 +122,8 @@ void take_step(Stage& stage, Steps const& method, double since, double then) {
         for (int i = 0; i < method.substeps; ++i) move_all(stage, {since + i * stage.pace, stage.pace});
     for (std::size_t i = 0; i < stage.alone.size(); ++i) world.in_step[i] = !stage.alone[i];
     write_step(stage, since, then);
-    if (world.steps_taken % steps_between_looks == 0) world.clear_until = since + clear_span(stage);
+    bool const was_clear = since - world.clear_until < stage.step;
+    if (was_clear || world.steps_taken % steps_between_looks == 0) world.clear_until = since + clear_span(stage);
 }
 
 void follow_all(Scene const& scene, World& world, History& history, double until) {

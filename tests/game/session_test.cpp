@@ -59,8 +59,17 @@ physics::Pull pull_after(level::Level const& level, std::vector<game::Input> con
 
 }  // namespace
 
-TEST_CASE("an input acts at the first step that starts at or after it") {
-    Session session = session_of(empty_level(Vec2::Zero()), {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}}, 10);
+TEST_CASE("an input acts at its time on a ball that no other is near, whatever the rate of steps") {
+    Session session = session_of(empty_level(Vec2::Zero()), {{0.25, game::Tilt{0.2}}}, 10);
+    game::advance(session, 1);
+    REQUIRE(session.history.events.size() == 1);
+    CHECK(session.history.events[0].time == 0.25);
+}
+
+TEST_CASE("under a method of steps alone an input acts at the first that starts at or after it") {
+    Session session =
+        game::session_of(std::make_shared<level::Level const>(empty_level(Vec2::Zero())), physics::Euler{10},
+                         {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}}, "run.json");
     game::advance(session, 1);
     REQUIRE(session.history.events.size() == 2);
     CHECK(session.history.events[0].kind == physics::EventKind::tilt);
