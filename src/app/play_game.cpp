@@ -216,7 +216,7 @@ bool follow_file(PlayGame& game, double elapsed) {
 }
 
 void change_method(PlayGame& game) {
-    char const* const names[] = {"article", "steps", "exact"};
+    char const* const names[] = {"article", "euler", "steps", "exact"};
     std::size_t constexpr count = std::size(names);
     std::string const now = physics::name_of(game.session.method);
     std::size_t const at = static_cast<std::size_t>(std::find(names, names + count, now) - names);

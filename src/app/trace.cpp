@@ -92,6 +92,12 @@ int number_of(level::Level const& level, int sensor) {
     return number;
 }
 
+std::string joined(std::vector<int> const& balls) {
+    std::string text;
+    for (int const ball : balls) text += (text.empty() ? "" : "+") + std::to_string(ball);
+    return text;
+}
+
 }  // namespace
 
 void Trace::header(Rows rows) {
@@ -177,6 +183,8 @@ void Trace::add_event(game::Session const& session, physics::Event const& event)
     field("surface", surface_name(*session.level, event.contact));
     if (event.kind == physics::EventKind::sensor)
         field("other", number_of(*session.level, event.other));
+    else if (event.kind == physics::EventKind::handover || event.kind == physics::EventKind::takeover)
+        field("other", joined(session.history.islands[event.other]));
     else if (event.other >= 0)
         field("other", event.other);
     else

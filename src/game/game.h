@@ -35,7 +35,7 @@ struct Run {
     std::string file;        // the path it was read from; empty for one that the window makes
     std::string level_file;  // as it can be opened from here
     std::optional<std::string> level_hash;
-    std::optional<std::string> method_name;  // "article", "steps", "exact"; none = auto
+    std::optional<std::string> method_name;  // "article", "euler", "steps", "exact"; none = auto
     std::optional<double> rate;              // steps/s
     std::optional<double> duration;          // s
     std::vector<Input> inputs;

@@ -11,7 +11,7 @@
 namespace game {
 
 bool is_method_name(std::string const& name) {
-    return name == "auto" || name == "article" || name == "steps" || name == "exact";
+    return name == "auto" || name == "article" || name == "euler" || name == "steps" || name == "exact";
 }
 
 std::optional<std::string> objection_to(MethodWish const& wish) {
@@ -21,7 +21,7 @@ std::optional<std::string> objection_to(MethodWish const& wish) {
         return "the tolerance must be greater than 0 metres";
     if (!wish.name) return std::nullopt;
     if (!is_method_name(*wish.name))
-        return "unknown method \"" + *wish.name + "\": choose one of auto, article, steps, exact";
+        return "unknown method \"" + *wish.name + "\": choose one of auto, article, euler, steps, exact";
     if (wish.tolerance && wish.name == "article")
         return "the method \"article\" keeps no tolerance: its error is of the model, not of the step";
     return std::nullopt;
@@ -36,6 +36,7 @@ namespace {
 
 physics::Choice named_or_chosen(MethodWish const& wish, physics::Scene const& scene) {
     if (wish.name == "article") return {physics::Article{wish.rate.value_or(physics::Article{}.rate)}, "it was named"};
+    if (wish.name == "euler") return {physics::Euler{wish.rate.value_or(physics::Euler{}.rate)}, "it was named"};
     if (wish.name == "exact") return {physics::Exact{}, "it was named"};
     if (wish.name == "steps") {
         double const rate = wish.tolerance ? rate_within(*wish.tolerance) : physics::Steps{}.rate;
@@ -62,6 +63,7 @@ physics::Method method_for(MethodWish const& wish, physics::Scene const& scene) 
 double rate_of(physics::Method const& method) {
     struct Rates {
         double operator()(physics::Article const& article) const { return article.rate; }
+        double operator()(physics::Euler const& euler) const { return euler.rate; }
         double operator()(physics::Steps const& steps) const { return steps.rate; }
         double operator()(physics::Exact const&) const { return physics::handover_rate; }
     };

@@ -17,7 +17,7 @@ inline constexpr double usual_error = 2.5e-5;          // m
 inline constexpr double highest_tolerance_rate = 1e5;  // steps/s: no tolerance asks for more
 
 struct MethodWish {
-    std::optional<std::string> name;       // "auto", "article", "steps", "exact"; none = auto
+    std::optional<std::string> name;       // "auto", "article", "euler", "steps", "exact"; none = auto
     std::optional<double> rate;            // steps/s; none = the method's own
     std::optional<double> tolerance = {};  // m, the deepest error wanted; none = the method's own
 };

@@ -181,7 +181,7 @@ std::string level_file_in(json const& value, Place const& place, std::string con
 std::optional<std::string> method_in(json const& value, Place const& place) {
     std::string const name = text(value, place);
     if (name == "auto") return std::nullopt;
-    if (!is_method_name(name)) place.fail(quoted(name) + " is not one of auto, article, steps, exact");
+    if (!is_method_name(name)) place.fail(quoted(name) + " is not one of auto, article, euler, steps, exact");
     return name;
 }
 

@@ -71,7 +71,7 @@ bool is_promised(physics::Method const& method, physics::Scene const& scene) {
 
 std::string doubt_about(physics::Method const& method, physics::Scene const& scene) {
     if (is_promised(method, scene)) return "";
-    if (scene.balls.size() == 1) return "an estimate: steps err by more where the ball meets something";
+    if (scene.balls.size() == 1) return "an estimate: a step errs by more where the ball meets something";
     return "an estimate: balls may come to lean on each other, and are then stepped and overlap";
 }
 

@@ -6,7 +6,7 @@
 #include "physics/handover.h"
 #include "physics/meetings.h"
 #include "physics/ride.h"
-#include "physics/stepping.h"
+#include "physics/steps.h"
 
 namespace physics {
 
@@ -15,7 +15,9 @@ namespace {
 // One call's view of the world: what does not change, and where legs and events go.
 class Timeline {
 public:
-    Timeline(Scene const& scene, World& world, History& history) : scene_(scene), world_(world), history_(history) {}
+    // `alone`: balls go by the rules of one that is alone in its world, and are not looked for by others.
+    Timeline(Scene const& scene, World& world, History& history, bool alone = false)
+        : scene_(scene), world_(world), history_(history), alone_(alone || scene.balls.size() == 1) {}
 
     void begin() {
         world_.quiet_until = -never;
@@ -26,24 +28,41 @@ public:
         look_for_meetings(scene_, world_, everyone());
     }
 
-    void begin_from(Retaken const& retaken) {
+    void take_back() {
         world_.quiet_until = -never;
-        world_.outlooks.assign(scene_.balls.size(), {});
-        for (int i = 0; i < count(); ++i) resolve(i, retaken.states[i], retaken.contacts[i]);
         look_for_meetings(scene_, world_, everyone());
     }
 
-    // Events up to and including `until`; false when the world must be handed over at world.time.
-    bool run(double until) {
+    void resolve(int i, State const& state, Contact known) {
+        take(i, resolved(setting(i), state, world_.time, known), world_.time);
+    }
+
+    // After a hit, whether by another ball or in how it is borne.
+    void strike(int i, State const& state) { take(i, after_hit(i, state), world_.time); }
+
+    // The events of one ball up to and including `until`.
+    void follow(int i, double until) {
+        while (world_.legs[i].until <= until) {
+            world_.time = std::max(world_.time, world_.legs[i].until);
+            end_leg(i);
+        }
+    }
+
+    void change_field(int i) {
+        take(i, under_new_field(setting(i), world_.legs[i], world_.outlooks[i], world_.time), world_.time);
+    }
+
+    // Events up to and including `until`; or the ball that must be handed over at world.time, with those that it touches.
+    std::optional<int> run(double until) {
         while (true) {
             Next const next = soonest();
             world_.quiet_until = next.time;
             if (next.time > until) break;
             world_.time = std::max(world_.time, next.time);
-            if (next.is_hit ? !hit(next.ball) : !end_leg(next.ball)) return false;
+            if (next.is_hit ? !hit(next.ball) : !end_leg(next.ball)) return next.ball;
         }
         world_.time = until;
-        return true;
+        return std::nullopt;
     }
 
     void refresh(Forces const& before) {
@@ -52,7 +71,7 @@ public:
         for (int i = 0; i < count(); ++i) {
             Field const was = field_on(scene_, before, i), is = field_on(scene_, world_.forces, i);
             if (was.gravity == is.gravity && was.target == is.target && was.pulled == is.pulled) continue;
-            take(i, under_new_field(setting(i), world_.legs[i], world_.outlooks[i], world_.time), world_.time);
+            change_field(i);
             touched.push_back(i);
         }
         look_for_meetings(scene_, world_, touched);
@@ -76,7 +95,7 @@ private:
         Outlook const& outlook = world_.outlooks[i];
         bool const has_a_limit = !field.pulled && !outlook.watch_mixed && !outlook.watch_elastic;
         int const most = outlook.watch_mixed ? crowd_events : crowd_events / 2;
-        bool const crowded = count() == 1 && outlook.watch_count > most && !has_a_limit;
+        bool const crowded = alone_ && outlook.watch_count > most && !has_a_limit;
         return {scene_.terrain, scene_.balls[i], field, crowded};
     }
 
@@ -89,10 +108,6 @@ private:
             for (int i = 0; i < count(); ++i)
                 if (world_.outlooks[i].hit_time < next.time - moment) next = {world_.outlooks[i].hit_time, i, true};
         return next;
-    }
-
-    void resolve(int i, State const& state, Contact known) {
-        take(i, resolved(setting(i), state, world_.time, known), world_.time);
     }
 
     void tell(EventKind kind, int ball, State const& state, Contact contact, int other) {
@@ -151,8 +166,8 @@ private:
     }
 
     bool end_leg(int i) {
-        if (count() > 1 && !watched(i)) return false;
-        if (count() == 1 && stalls(i)) {
+        if (!alone_ && !watched(i)) return false;
+        if (alone_ && stalls(i)) {
             take(i, creeping(setting(i), at_span(world_.legs[i], world_.outlooks[i].duration), world_.time), world_.time);
             return true;
         }
@@ -162,7 +177,7 @@ private:
             take(i, after_end(setting(i), world_.legs[i], before), world_.time);
             look_round(i, before);
         }
-        if (!same_motion) look_for_meetings(scene_, world_, {&i, 1});
+        if (!alone_ && !same_motion) look_for_meetings(scene_, world_, {&i, 1});
         return true;
     }
 
@@ -238,7 +253,7 @@ private:
         }
         std::sort(touched.begin(), touched.end());
         touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-        for (int const b : touched) take(b, after_hit(b, states[b]), world_.time);
+        for (int const b : touched) strike(b, states[b]);
         look_for_meetings(scene_, world_, touched);
         return true;
     }
@@ -263,6 +278,20 @@ private:
     Scene const& scene_;
     World& world_;
     History& history_;
+    bool alone_;
+};
+
+// The world's clock, put to another time for a while.
+class Clock {
+public:
+    Clock(World& world, double time) : world_(world), now_(world.time) { world.time = time; }
+    ~Clock() { world_.time = now_; }
+    Clock(Clock const&) = delete;
+    Clock& operator=(Clock const&) = delete;
+
+private:
+    World& world_;
+    double now_;
 };
 
 }  // namespace
@@ -276,15 +305,12 @@ namespace {
 void pass_events(Scene const& scene, World& world, double until, History& history) {
     while (world.time < until) {
         if (world.handed_over) {
-            step_handed_over(scene, world, history);
+            step_handed_over(scene, world, until, history);
             if (!is_apart(scene, world)) continue;
-            world.handed_over = false;
-            begin_stepping(world);
-            history.events.push_back(
-                {world.time, EventKind::takeover, 0, at(world.legs[0], world.time), world.legs[0].contact, -1});
-            Timeline(scene, world, history).begin_from(taken_back(scene, world));
-        } else if (!Timeline(scene, world, history).run(until)) {
-            hand_over(scene, world, history);
+            take_back(scene, world, history);
+            Timeline(scene, world, history).take_back();
+        } else if (auto const ball = Timeline(scene, world, history).run(until)) {
+            hand_over(scene, world, *ball, history);
         }
     }
 }
@@ -299,7 +325,32 @@ void advance_with(Exact const&, Scene const& scene, World& world, double until, 
 }
 
 void force_with(Exact const&, Scene const& scene, World& world, Forces const& before, History& history) {
-    if (!world.handed_over) Timeline(scene, world, history).refresh(before);
+    if (world.handed_over)
+        force_with(Steps{handover_rate}, scene, world, before, history);
+    else
+        Timeline(scene, world, history).refresh(before);
+}
+
+void set_out(Scene const& scene, World& world, History& history, int ball, State const& state, Contact known,
+             double time) {
+    Clock const clock(world, time);
+    Timeline(scene, world, history, true).resolve(ball, state, known);
+}
+
+void strike(Scene const& scene, World& world, History& history, int ball, State const& state, double time) {
+    Clock const clock(world, time);
+    Timeline(scene, world, history, true).strike(ball, state);
+}
+
+void follow_plan(Scene const& scene, World& world, History& history, int ball, double until) {
+    if (world.legs[ball].until > until) return;
+    Clock const clock(world, world.legs[ball].since);
+    Timeline(scene, world, history, true).follow(ball, until);
+}
+
+void change_field(Scene const& scene, World& world, History& history, int ball, double time) {
+    Clock const clock(world, time);
+    Timeline(scene, world, history, true).change_field(ball);
 }
 
 }  // namespace physics

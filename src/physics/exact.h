@@ -27,4 +27,14 @@ void advance_with(Exact const&, Scene const& scene, World& world, double until, 
 // From world.time on the forces are world.forces; before they were `before`.
 void force_with(Exact const&, Scene const& scene, World& world, Forces const& before, History& history);
 
+// One ball of a world, whatever becomes of the others: for methods that leave balls on their plan as long as none is
+// near. It sets out at `time` (s) from a state, or, on its plan, is given another by a hit ...
+void set_out(Scene const& scene, World& world, History& history, int ball, State const& state, Contact known,
+             double time);
+void strike(Scene const& scene, World& world, History& history, int ball, State const& state, double time);
+// ... comes to `until` by its events up to then ...
+void follow_plan(Scene const& scene, World& world, History& history, int ball, double until);
+// ... and is moved by world.forces from `time` on, by others before.
+void change_field(Scene const& scene, World& world, History& history, int ball, double time);
+
 }  // namespace physics

@@ -1,107 +1,80 @@
 #include "physics/handover.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/exact.h"
-#include "physics/field.h"
 #include "physics/stepping.h"
 #include "physics/steps.h"
+#include "physics/steps_plan.h"
 
 namespace physics {
 
-using geometry::dot;
+namespace {
 
-void hand_over(Scene const& scene, World& world, History& history) {
-    history.events.push_back(
-        {world.time, EventKind::handover, 0, at(world.legs[0], world.time), world.legs[0].contact, -1});
+void tell(EventKind kind, World const& world, History& history) {
+    int const first = world.island.front();
+    if (history.islands.empty() || history.islands.back() != world.island) history.islands.push_back(world.island);
+    history.events.push_back({world.time, kind, first, at(world.legs[first], world.time), world.legs[first].contact,
+                              static_cast<int>(history.islands.size()) - 1});
+}
+
+bool are_near(Scene const& scene, World const& world, int a, int b) {
+    double const one = scene.balls[a].radius, other = scene.balls[b].radius;
+    Vec2 const way = at(world.legs[b], world.time).position - at(world.legs[a], world.time).position;
+    return geometry::length(way) - one - other < takeover_gap * std::min(one, other);
+}
+
+// The ball and those near it, and those near these, in order.
+std::vector<int> island_of(Scene const& scene, World const& world, int ball) {
+    std::vector<int> island{ball};
+    std::vector<char> known(scene.balls.size(), 0);
+    known[ball] = 1;
+    for (std::size_t k = 0; k < island.size(); ++k)
+        for (int other = 0; other < static_cast<int>(scene.balls.size()); ++other)
+            if (!known[other] && are_near(scene, world, island[k], other)) {
+                known[other] = 1;
+                island.push_back(other);
+            }
+    std::sort(island.begin(), island.end());
+    return island;
+}
+
+}  // namespace
+
+void hand_over(Scene const& scene, World& world, int ball, History& history) {
     world.handed_over = true;
+    world.island = island_of(scene, world, ball);
     world.quiet_until = -never;
     world.handover_time = world.time;
     begin_stepping(world);
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-        State const state = at(world.legs[i], world.time);
-        Leg leg = world.legs[i];
-        leg.since = world.time;
-        leg.until = never;
-        leg.motion = Straight{state, state.velocity, state.spin};
-        history.legs[i].back().until = world.time;
-        if (history.legs[i].back().since >= world.time) history.legs[i].pop_back();
-        history.legs[i].push_back(leg);
-        world.legs[i] = leg;
-    }
+    tell(EventKind::handover, world, history);
 }
 
-void step_handed_over(Scene const& scene, World& world, History& history) {
-    double const next = std::nextafter(world.time, never);
-    advance_with(Steps{handover_rate}, scene, world, next, history);
+void step_handed_over(Scene const& scene, World& world, double until, History& history) {
+    double const begun = time_of_step(world, handover_rate, world.steps_taken);
+    double const next = world.time < begun ? begun : time_of_step(world, handover_rate, world.steps_taken + 1);
+    advance_with(Steps{handover_rate}, scene, world, std::min(next, until), history);
 }
-
-namespace {
-
-State on_track(Scene const& scene, World const& world, int ball, State const& state, Contact contact) {
-    Track const track = track_of(scene.terrain, contact, scene.balls[ball].radius);
-    double const q = nearest_coordinate(track, state.position);
-    Vec2 const along = geometry::turned_right(normal_at(track, q));
-    State put = state;
-    put.position = position_at(track, q);
-    double const speed = dot(state.velocity, along);
-    double const lifted = -dot(gravity_of(scene, world.forces), put.position - state.position);
-    double const yield = 1 + scene.balls[ball].inertia;
-    double const square = speed * speed - std::max(0.0, 2 * lifted / yield);
-    double const kept = square > 0 ? std::copysign(std::sqrt(square), speed) : 0;
-    put.velocity = kept * along;
-    if (world.legs[ball].phase != Phase::slide) put.spin = -kept / scene.balls[ball].radius;
-    return put;
-}
-
-}  // namespace
-
-Retaken taken_back(Scene const& scene, World const& world) {
-    Retaken retaken;
-    for (int i = 0; i < static_cast<int>(scene.balls.size()); ++i) {
-        State const state = at(world.legs[i], world.time);
-        Contact contact = world.legs[i].contact;
-        if (contact.feature >= 0 && !fits(scene.terrain, contact, scene.balls[i].radius)) contact = no_contact;
-        retaken.states.push_back(contact.feature >= 0 ? on_track(scene, world, i, state, contact) : state);
-        retaken.contacts.push_back(contact);
-    }
-    return retaken;
-}
-
-namespace {
-
-bool balls_are_apart(Scene const& scene, World const& world) {
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-        for (std::size_t j = i + 1; j < scene.balls.size(); ++j) {
-            Ball const& a = scene.balls[i];
-            Ball const& b = scene.balls[j];
-            Vec2 const way = at(world.legs[j], world.time).position - at(world.legs[i], world.time).position;
-            double const gap = geometry::length(way) - a.radius - b.radius;
-            if (gap < takeover_gap * std::min(a.radius, b.radius)) return false;
-        }
-    }
-    return true;
-}
-
-// Put on its one surface, a ball must not reach into another: between two it is left to the steps.
-bool is_clear(Terrain const& terrain, Vec2 const& centre, double radius) {
-    bool clear = true;
-    Vec2 const reach = Vec2::Constant(radius);
-    terrain.tree.each_overlapping({centre - reach, centre + reach}, [&](int piece) {
-        clear = clear && nearest_point(terrain.pieces[piece].curve, centre).distance >= radius - touch_reach;
-    });
-    return clear;
-}
-
-}  // namespace
 
 bool is_apart(Scene const& scene, World const& world) {
-    if (world.time - world.handover_time < shortest_handover || !balls_are_apart(scene, world)) return false;
-    Retaken const retaken = taken_back(scene, world);
-    for (std::size_t i = 0; i < scene.balls.size(); ++i)
-        if (!is_clear(scene.terrain, retaken.states[i].position, scene.balls[i].radius)) return false;
+    bool const is_at_step = world.time == time_of_step(world, handover_rate, world.steps_taken);
+    if (!is_at_step || world.time - world.handover_time < shortest_handover) return false;
+    for (int a = 0; a < static_cast<int>(scene.balls.size()); ++a)
+        for (int b = a + 1; b < static_cast<int>(scene.balls.size()); ++b)
+            if (are_near(scene, world, a, b)) return false;
     return true;
+}
+
+void take_back(Scene const& scene, World& world, History& history) {
+    world.handed_over = false;
+    tell(EventKind::takeover, world, history);
+    for (int i = 0; i < static_cast<int>(scene.balls.size()); ++i) {
+        if (is_stepped(world, i))
+            release(scene, world, history, i, world.time);
+        else if (world.forces != world.step_forces && world.in_step[i])
+            change_field(scene, world, history, i, world.time);
+    }
+    begin_stepping(world);
 }
 
 }  // namespace physics

@@ -1,27 +1,21 @@
-// Handing the world over from the exact method to the stepping one, and back.
+// Handing balls over from the exact method to the stepping one, and taking them back.
 #pragma once
-
-#include <vector>
 
 #include "physics/world.h"
 
 namespace physics {
 
-// From world.time on the balls take steps, counted from there. States and contacts are kept to the bit.
-void hand_over(Scene const& scene, World& world, History& history);
+// From world.time on balls that are near each other take steps, counted from there, because of `ball` and those that it
+// touches. Every ball stays on its plan until it leans on another.
+void hand_over(Scene const& scene, World& world, int ball, History& history);
 
-// One step of a world that is handed over.
-void step_handed_over(Scene const& scene, World& world, History& history);
+// To `until` or to the end of the present step, whichever is sooner.
+void step_handed_over(Scene const& scene, World& world, double until, History& history);
 
-// Whether no ball is near another any more or between two surfaces, and the handover has lasted a while.
+// Whether no ball is near another any more, and the handover has lasted a while; at the end of a step.
 bool is_apart(Scene const& scene, World const& world);
 
-struct Retaken {
-    std::vector<State> states;
-    std::vector<Contact> contacts;  // by ball; no_contact in flight
-};
-// The balls as the exact method takes them: soft contacts leave them a little off their surfaces; they are put on them,
-// and what that raises them is taken from their speed, so that no energy is gained.
-Retaken taken_back(Scene const& scene, World const& world);
+// All balls are on their plans again. What has still to be told of the steps is told.
+void take_back(Scene const& scene, World& world, History& history);
 
 }  // namespace physics

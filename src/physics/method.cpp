@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "physics/article.h"
+#include "physics/euler.h"
 #include "physics/exact.h"
 #include "physics/sense.h"
 #include "physics/stepping.h"
@@ -13,6 +14,7 @@ namespace physics {
 char const* name_of(Method const& method) {
     struct Names {
         char const* operator()(Article const&) const { return "article"; }
+        char const* operator()(Euler const&) const { return "euler"; }
         char const* operator()(Steps const&) const { return "steps"; }
         char const* operator()(Exact const&) const { return "exact"; }
     };
@@ -21,9 +23,9 @@ char const* name_of(Method const& method) {
 
 namespace {
 
-// A stepping method knows nothing of the way ahead: every ball is on a straight leg until the first step.
-template <typename Stepping>
-void begin_with(Stepping const&, Scene const& scene, World& world, History& history) {
+// A method of steps alone knows nothing of the way ahead: every ball is on a straight leg until the first step.
+template <typename OfStepsAlone>
+void begin_with(OfStepsAlone const&, Scene const& scene, World& world, History& history) {
     for (Ball const& ball : scene.balls) {
         Standing const standing = standing_at_start(scene, ball);
         Leg leg;
@@ -36,8 +38,8 @@ void begin_with(Stepping const&, Scene const& scene, World& world, History& hist
 }
 
 // A step reads the forces when it begins.
-template <typename Stepping>
-void force_with(Stepping const&, Scene const&, World&, Forces const&, History&) {}
+template <typename OfStepsAlone>
+void force_with(OfStepsAlone const&, Scene const&, World&, Forces const&, History&) {}
 
 }  // namespace
 

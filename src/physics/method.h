@@ -14,7 +14,12 @@ struct Article {
     double rate = 240;  // steps/s
 };
 
-// Fixed steps, soft contacts (physics/steps.h).
+// Semi-implicit Euler, impulses, projection, once a step (physics/euler.h).
+struct Euler {
+    double rate = 240;  // steps/s
+};
+
+// A plan for each ball, fixed steps and soft contacts for those that lean on each other (physics/steps.h).
 struct Steps {
     double rate = 240;  // steps/s
     int substeps = 4;
@@ -23,7 +28,7 @@ struct Steps {
 // From event to event, in closed form (physics/exact.h).
 struct Exact {};
 
-using Method = std::variant<Article, Steps, Exact>;
+using Method = std::variant<Article, Euler, Steps, Exact>;
 
 char const* name_of(Method const& method);
 
@@ -35,8 +40,8 @@ struct Fault {
 // The world at time 0 and its history, balls at their starts. Sensors that notice a ball there fire at 0.
 World world_at_start(Method const& method, Scene const& scene, History& history);
 
-// Advances until world.time >= until and appends legs and events to the history: exactly to `until`, or to the first
-// step that starts at or after it. Refuses an `until` that is not finite; does nothing for one that is past.
+// Advances until world.time >= until and appends legs and events to the history: exactly to `until`, or, with a
+// method of steps alone (Article, Euler), to the first step that starts at or after it. Refuses an `until` that is not finite; does nothing for one that is past.
 std::optional<Fault> advance(Method const& method, Scene const& scene, World& world, double until, History& history);
 
 // From world.time on these forces act. Refuses numbers that are not finite and a ball that does not exist.

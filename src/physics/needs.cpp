@@ -91,6 +91,8 @@ bool covers(Method const& method, Need need) {
         bool operator()(Article const&) const {
             return need == Need::arcs || need == Need::corners || need == Need::drag;
         }
+        // The textbook's method knows all, and keeps none of it as soon as a step is long: it is named, never chosen.
+        bool operator()(Euler const&) const { return true; }
         bool operator()(Exact const&) const { return need != Need::piles; }
         bool operator()(Steps const&) const { return true; }
     };

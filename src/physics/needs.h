@@ -28,8 +28,8 @@ struct Choice {
     Method method;
     std::string why;  // one clause
 };
-// The first of the methods, the simplest and most exact first, that covers all needs. Never Article, which is kept for
-// comparison alone.
+// The first of the methods, the simplest and most exact first, that covers all needs. Never Article or Euler, which
+// are kept for comparison alone.
 Choice choice_for(Scene const& scene);
 
 }  // namespace physics

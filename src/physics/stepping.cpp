@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/steps_along.h"
 #include "physics/steps_shape.h"
 #include "physics/first_contact.h"
 
@@ -36,9 +35,15 @@ void begin_stepping(World& world) {
     world.steps_taken = 0;
     world.touches.clear();
     world.neighbours.clear();
+    world.swells.clear();
     world.reaches.clear();
     world.still_steps.clear();
+    world.in_step.clear();
+    world.step_forces = world.forces;
+    world.clear_until = -never;
 }
+
+bool slips(double along, double rim) { return std::abs(along - rim) > no_slip * (std::abs(along) + std::abs(rim)); }
 
 Standing standing_at_start(Scene const& scene, Ball const& ball) {
     State const& state = ball.start;
@@ -57,14 +62,14 @@ Standing standing_at_start(Scene const& scene, Ball const& ball) {
         if (pressure <= hardest) continue;
         hardest = pressure;
         standing.contact = {shape.feature, sight.side};
-        standing.phase = slips({0, along, -ball.radius * state.spin, 0}) ? Phase::slide : Phase::roll;
+        standing.phase = slips(along, -ball.radius * state.spin) ? Phase::slide : Phase::roll;
     }
     return standing;
 }
 
 void open_leg(World& world, History& history, int ball, double now) {
     Leg& leg = world.legs[ball];
-    if (leg.since == now && std::holds_alternative<Straight>(leg.motion)) return;
+    if (leg.since >= now && std::holds_alternative<Straight>(leg.motion)) return;
     State const state = at(leg, now);
     history.legs[ball].back().until = now;
     leg = {now, never, leg.phase, leg.contact, Straight{state, state.velocity, state.spin}};

@@ -24,6 +24,11 @@ Flight flight_in(Field const& field, Vec2 const& position, Vec2 const& velocity,
 // who stood still. For whenever steps begin, and when another method takes the world back.
 void begin_stepping(World& world);
 
+// Slip below this share of the speeds is rounding. Of a ball that moves `along` its surface with a rim at `rim`, m/s, in
+// the rolling sense.
+inline constexpr double no_slip = 1e-9;
+bool slips(double along, double rim);
+
 // How a ball is at a step's end.
 struct Standing {
     State state;

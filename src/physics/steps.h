@@ -1,16 +1,19 @@
-// The stepping method: fixed steps of a few substeps, with friction, restitution, rolling inertia and balls that
-// collide.
+// The stepping method: balls that lean on each other take fixed steps of a few substeps, all others follow their plan.
 //
-// A substep moves every ball by what holds for it: free balls and balls on one surface by the closed form of their
-// motion (steps_travel.h, steps_ride.h), so that neither free flight nor rolling loses or gains; balls that lean on
-// each other by soft constraints (steps_pile.h). What they run into on the way is found along the whole path, so
-// nothing tunnels, and answered by impulses at the moment of touch (steps_impact.h, steps_pairs.h).
+// How one ball moves against terrain is known once, as the legs of the exact method (physics/exact.h). A ball that no
+// other can come near within a step is left to it. Those that have others near are looked at in substeps: on their plan
+// too, they hit each other at the moment of touch (steps_pairs.h); once they press on each other they lean, by soft
+// constraints, and go in a straight line from step to step, until they part (steps_pile.h).
 #pragma once
 
 #include "physics/method.h"
 
 namespace physics {
 
+void begin_with(Steps const& method, Scene const& scene, World& world, History& history);
+// To `until`; balls that have others near are settled to the end of the step.
 void advance_with(Steps const& method, Scene const& scene, World& world, double until, History& history);
+// Acts at world.time on balls that no other is near, on others from the next step on.
+void force_with(Steps const& method, Scene const& scene, World& world, Forces const& before, History& history);
 
 }  // namespace physics

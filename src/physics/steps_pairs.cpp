@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "physics/steps_pile.h"
+#include "physics/steps_plan.h"
 
 namespace physics {
 
@@ -34,8 +35,12 @@ bool knows_all(Stage const& stage) { return stage.reaches.size() == stage.travel
 bool all_covered(Stage const& stage, double time) {
     return std::all_of(stage.travellers.begin(), stage.travellers.end(), [&](Traveller const& traveller) {
         State const& state = traveller.state;
+        Vec2 way = time * state.velocity;
+        if (traveller.field->pulled)
+            way = way.cwiseAbs() +
+                  time * time * acceleration_in(*traveller.field, state.position, state.velocity).cwiseAbs();
         return stage.asleep[traveller.index] ||
-               covers(stage.reaches[traveller.index], traveller.ball->radius, state.position, time * state.velocity);
+               covers(stage.reaches[traveller.index], traveller.ball->radius, state.position, way);
     });
 }
 
@@ -120,7 +125,28 @@ void look_for_neighbours(Stage& stage, double time) {
     stage.regroup = stage.relist = true;
 }
 
+// m, how far a ball on its plan can get in `time`. An impact turns speed and spin into each other, but adds to neither.
+double farthest(Traveller const& traveller, double time) {
+    State const& state = traveller.state;
+    double const speed = geometry::length(state.velocity) + traveller.ball->radius * std::abs(state.spin);
+    return time * (speed + time * geometry::length(traveller.field->gravity));
+}
+
+constexpr double clear_ahead = 0.25;  // s
+
 }  // namespace
+
+double clear_span(Stage& stage) {
+    if (!stage.neighbours.empty() || stage.pulled >= 0) return 0;
+    std::vector<Box> const near = stage.reaches;
+    for (Traveller const& traveller : stage.travellers) {
+        Vec2 const margin = Vec2::Constant(traveller.ball->radius + farthest(traveller, clear_ahead));
+        stage.reaches[traveller.index] = {traveller.state.position - margin, traveller.state.position + margin};
+    }
+    bool const is_clear = near_pairs(stage).empty();
+    stage.reaches = near;
+    return is_clear ? clear_ahead : 0;
+}
 
 void mark_alone(Stage& stage) {
     stage.alone.assign(stage.travellers.size(), 1);
@@ -134,13 +160,13 @@ void find_neighbours(Stage& stage, double step) {
     mark_alone(stage);
 }
 
-void find_more_neighbours(Stage& stage) {
-    bool const covered = std::all_of(stage.awake.begin(), stage.awake.end(), [&](int i) {
+void find_more_neighbours(Stage& stage, std::vector<int> const& balls) {
+    bool const covered = std::all_of(balls.begin(), balls.end(), [&](int i) {
         Body const& body = stage.pile.bodies[i + 1];
         return covers(stage.reaches[i], body.radius, body.position, Vec2::Zero());
     });
     if (covered) return;
-    look_for_neighbours(stage, 0);
+    look_for_neighbours(stage, stage.step);
     stage.looked_anew = true;
     std::erase_if(stage.neighbours,
                   [&](Neighbours const& pair) { return stage.alone[pair.first] || stage.alone[pair.second]; });
@@ -153,8 +179,8 @@ std::vector<Touch> all_touches(Pile const& pile) {
     return all;
 }
 
-void group(Stage& stage) {
-    if (!stage.regroup) return;
+bool group(Stage& stage) {
+    if (!stage.regroup) return false;
     stage.regroup = stage.relist = false;
     std::size_t const count = stage.travellers.size();
     stage.leaning.assign(count, 0);
@@ -173,7 +199,7 @@ void group(Stage& stage) {
     stage.pile.balls.clear();
     stage.departures.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (stage.asleep[i]) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
+        if (stage.asleep[i]) depart(stage, static_cast<int>(i), 0);
         if (stage.asleep[i] || stage.alone[i]) continue;
         stage.awake.push_back(static_cast<int>(i));
         (stage.leaning[i] ? stage.pile.balls : stage.free).push_back(static_cast<int>(i));
@@ -185,10 +211,26 @@ void group(Stage& stage) {
         if (stage.leaning[touch.ball])
             (stage.asleep[touch.ball] ? stage.pile.left : stage.pile.touches).push_back(touch);
     gather_pile(stage);
+    return true;
+}
+
+void release_parted(Stage& stage, double now) {
+    for (Traveller& traveller : stage.travellers) {
+        int const i = traveller.index;
+        if (stage.leaning[i] || !is_stepped(stage.world, i)) continue;
+        end_chord(stage, i, now);
+        release(stage.scene, stage.world, stage.history, i, now);
+        traveller.state = at(stage.world.legs[i], now);
+        traveller.contact = stage.world.legs[i].contact;
+    }
 }
 
 void remember_departures(Stage& stage) {
-    for (int const i : stage.awake) stage.departures[i] = {stage.travellers[i].state, stage.travellers[i].contact, 0};
+    for (int const i : stage.pile.balls) {
+        stage.departures[i].state = stage.travellers[i].state;
+        stage.departures[i].time = 0;
+    }
+    for (int const i : stage.free) depart(stage, i, 0);
 }
 
 }  // namespace physics

@@ -8,15 +8,21 @@ namespace physics {
 // Pairs that may touch within the next `step` seconds, and who is alone; what is known of pairs is kept.
 void find_neighbours(Stage& stage, double step);
 
-// The same in the middle of a step, when impacts have sent balls where nobody looked for them. Balls that are alone
+// The same in the middle of a step, when impacts have sent these balls where nobody looked for them. Balls that are alone
 // have had their step already: they are met in the next.
-void find_more_neighbours(Stage& stage);
+void find_more_neighbours(Stage& stage, std::vector<int> const& balls);
+
+// For how long it is certain that no ball comes near another; 0 s where that is not known.
+double clear_span(Stage& stage);
 
 // Who has no neighbours.
 void mark_alone(Stage& stage);
 
-// Sorts balls and pairs by what a substep does with them, if that has changed.
-void group(Stage& stage);
+// Sorts balls and pairs by what a substep does with them, if that has changed. Answers whether it had.
+bool group(Stage& stage);
+
+// Who leans on nobody any more is on its plan from `now` on, the beginning of a substep.
+void release_parted(Stage& stage, double now);
 
 // Contacts with terrain of the balls that are moved and of those asleep.
 std::vector<Touch> all_touches(Pile const& pile);

@@ -3,25 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/stepping.h"
+#include "physics/steps_firm.h"
+#include "physics/steps_plan.h"
+#include "physics/steps_swell.h"
+
 namespace physics {
 
 using geometry::length;
 
 namespace {
 
-constexpr double firm = 60;             // Hz, of a contact between balls, as far as the substeps carry it
 constexpr double near_ground = 0.02;    // share of the radius: nearer ground is watched beforehand
 constexpr double standing = 1e-4;       // m/s: leaning balls slower than this are at rest
 constexpr double longest_stride = 0.2;  // share of the radius: faster balls are swept through the terrain
 
-Body body_of(Traveller const& traveller) {
+Body body_of(Traveller const& traveller, double swell) {
     Ball const& ball = *traveller.ball;
     Body body;
     body.position = traveller.state.position;
     body.velocity = traveller.state.velocity;
     body.rim = ball.radius * traveller.state.spin;
     body.radius = ball.radius;
-    body.yield = 1 / ball.mass;
+    body.yield = 1 / (swell * ball.mass);
     body.turn = body.yield / ball.inertia;
     return body;
 }
@@ -51,10 +55,12 @@ void look_at_ground(Stage& stage, Softness const& softness, double h) {
         double const watch = near_ground * body.radius + h * length(body.velocity);
         while (known != before.end() && known->ball < i) ++known;
         for (Shape const& shape :
-             shapes_on_the_way(stage.scene.terrain, traveller, body.position + h * body.velocity)) {
+             shapes_on_the_way(stage.scene.terrain, body.position, body.position + h * body.velocity, body.radius,
+                               traveller.near)) {
             Sight const sight = sight_of(stage.scene.terrain, shape, body.position);
             double const gap = sight.distance - body.radius;
             if (!sight.faces || gap > watch) continue;
+            if (gap < -too_deep * body.radius && (pile.deep.empty() || pile.deep.back() != i)) pile.deep.push_back(i);
             SoftContact contact = contact_between(pile.bodies[0], body, shape.material->friction);
             contact.second = i + 1;
             Touch touch{i, {shape.feature, sight.side}, {}};
@@ -84,11 +90,11 @@ void move_on(Stage& stage, Substep const& substep) {
             traveller.state.angle += h * (body.rim / body.radius);
             continue;
         }
-        // Not the soft way: through the air, with every line on it met.
-        traveller.state.velocity = body.velocity;
+        // Not the soft way: through the air, with every line on it met. What the field adds is in the velocity already.
+        Vec2 const added = h * acceleration_in(*traveller.field, traveller.state.position, traveller.state.velocity);
+        traveller.state.velocity = body.velocity - added;
         traveller.state.spin = body.rim / body.radius;
-        traveller.contact = no_contact;
-        travel(substep, traveller, 0);
+        sweep(stage, i, substep.since, h);
         body.position = traveller.state.position;
         body.velocity = traveller.state.velocity;
         body.rim = body.radius * traveller.state.spin;
@@ -132,8 +138,10 @@ void arrive(Stage& stage) {
 
 void gather_pile(Stage& stage) {
     Pile& pile = stage.pile;
+    swell_light_balls(stage);
     pile.bodies.resize(stage.travellers.size() + 1);
-    for (Traveller const& traveller : stage.travellers) pile.bodies[traveller.index + 1] = body_of(traveller);
+    for (Traveller const& traveller : stage.travellers)
+        pile.bodies[traveller.index + 1] = body_of(traveller, pile.swell[traveller.index]);
     pile.contacts.resize(pile.pairs.size());
     for (std::size_t k = 0; k < pile.pairs.size(); ++k) {
         Neighbours const& pair = stage.neighbours[pile.pairs[k]];
@@ -154,10 +162,10 @@ void gather_pile(Stage& stage) {
 
 void move_pile(Stage& stage, Substep const& substep) {
     Pile& pile = stage.pile;
+    pile.deep.clear();
     if (pile.balls.empty()) return;
     double const h = substep.length;
-    double const rate = 1 / substep.pace;
-    double const frequency = std::min(rate / 4, std::max(firm, rate / 8));
+    double const frequency = contact_frequency(1 / h);
     set_out(stage, h);
     look_at_ground(stage, softness_of(2 * frequency, h), h);
     look_at_pairs(pile, softness_of(frequency, h), h);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/elementary.h"
-#include "physics/leg.h"
 
 namespace physics {
 
@@ -14,9 +13,7 @@ using geometry::wedge;
 
 namespace {
 
-constexpr double touching = 1e-12;  // share of the lengths involved: gaps below this are rounding
-constexpr double shape_unmoving = 1e-12;  // share of the speed: closing speeds below this are rounding
-constexpr int refinements = 2;      // Newton steps from the chord's root to the parabola's
+constexpr double paths_ahead = 24;  // how many times the way ahead the surroundings are looked up
 
 Vec2 direction(double angle) {
     auto const [sine, cosine] = geometry::sine_cosine(angle);
@@ -41,109 +38,7 @@ Shape shape_of_curve(geometry::Arc const& arc) {
     double const slack = vertex_reach / arc.radius;
     shape.along = direction(arc.from + arc.sweep / 2);
     shape.extent = half + slack < geometry::pi ? geometry::sine_cosine(half + slack).cosine : -2;
-    shape.first = direction(arc.from + std::min(arc.sweep, 0.0));
-    shape.last = direction(arc.from + std::max(arc.sweep, 0.0));
     return shape;
-}
-
-// A gap that changes as gap + rate t + half_bend t^2.
-struct Gap {
-    double gap = 0;
-    double rate = 0;
-    double half_bend = 0;
-};
-
-bool closes_now(Gap const& g, double speed, double scale) {
-    if (g.gap > touching * scale) return false;
-    if (g.rate < -shape_unmoving * speed) return true;
-    return g.rate <= shape_unmoving * speed && g.half_bend < 0;
-}
-
-// The root at which the gap goes from open to closed.
-double entry_time(Gap const& g) {
-    double const square = g.rate * g.rate - 4 * g.half_bend * g.gap;
-    if (square < 0) return never;
-    double const root = std::sqrt(square);
-    if (g.rate < 0) return 2 * g.gap / (root - g.rate);
-    return g.half_bend < 0 ? (g.rate + root) / (-2 * g.half_bend) : never;
-}
-
-double line_closing_time(Shape const& shape, Path const& path, double radius) {
-    Vec2 const d = path.from - shape.origin;
-    double const signed_distance = wedge(shape.along, d);
-    double const side = signed_distance < 0 ? -1 : 1;
-    Gap const g{side * signed_distance - radius, side * wedge(shape.along, path.velocity),
-                0.5 * side * wedge(shape.along, path.acceleration)};
-    auto const faces = [&](double t) {
-        double const x = dot(shape.along, path.at(t) - shape.origin);
-        return x >= -vertex_reach && x <= shape.extent + vertex_reach;
-    };
-    if (closes_now(g, length(path.velocity), radius + length(d)) && faces(0)) return 0;
-    double const t = entry_time(g);
-    return t > 0 && t <= path.time && faces(t) ? t : never;
-}
-
-// When the path's chord enters (sense = -1) or leaves (+1) the circle about the origin, refined to the parabola.
-double circle_crossing_time(Path const& path, Vec2 const& origin, double rho, double sense) {
-    Vec2 const d = path.from - origin;
-    Vec2 const v = path.velocity + (0.5 * path.time) * path.acceleration;
-    double const a = dot(v, v), b = dot(d, v), distance = length(d);
-    double const c = (distance - rho) * (distance + rho);
-    double const square = b * b - a * c;
-    if (square < 0 || a == 0) return never;
-    // On the circle already, and by the parabola not crossing it now: the chord's root near 0 is none.
-    bool const touches = std::abs(distance - rho) <= touching * (rho + distance);
-    if (touches && (sense < 0 || b >= 0)) return never;
-    double const root = std::sqrt(square);
-    double t = never;
-    if (sense < 0) t = b < 0 ? c / (root - b) : never;
-    if (sense > 0) t = b > 0 ? -c / (root + b) : (root - b) / a;
-    if (!(t >= 0) || t > path.time) return never;
-    // A chord cuts a corner that the parabola may clear: where the parabola does not cross there is no crossing.
-    for (int i = 0; i < refinements; ++i) {
-        Vec2 const at = path.at(t) - origin;
-        double const rate = dot(at, path.velocity_at(t));
-        if (rate * sense <= 0) return never;
-        t -= 0.5 * (dot(at, at) - rho * rho) / rate;
-    }
-    return t >= 0 && t <= path.time ? t : never;
-}
-
-// Whether a ball that faces the circle from the side of `sense` (+1 outside) is pressed on at once.
-bool circle_closes_now(Shape const& shape, Path const& path, double rho, double sense) {
-    Vec2 const d = path.from - shape.origin;
-    double const distance = length(d);
-    if (distance == 0) return false;
-    double const rate = dot(path.velocity, d) / distance;
-    double const across = wedge(d, path.velocity) / distance;
-    double const bend = dot(path.acceleration, d) / distance + across * across / distance;
-    Gap const g{sense * (distance - rho), sense * rate, 0.5 * sense * bend};
-    return closes_now(g, length(path.velocity), rho + shape.radius);
-}
-
-double arc_closing_time(Terrain const& terrain, Shape const& shape, Path const& path, double radius) {
-    double const distance = length(path.from - shape.origin);
-    bool const outside = distance >= shape.radius;
-    auto const faces = [&](double t) { return t <= path.time && sight_of(terrain, shape, path.at(t)).faces; };
-    double const outer = shape.radius + radius, inner = shape.radius - radius;
-    if (outside) {
-        if (circle_closes_now(shape, path, outer, 1) && faces(0)) return 0;
-        double const entry = circle_crossing_time(path, shape.origin, outer, -1);
-        if (faces(entry)) return entry;
-    } else if (inner > 0 && circle_closes_now(shape, path, inner, -1) && faces(0)) {
-        return 0;
-    }
-    if (inner <= 0) return never;
-    // From within, or right through the opening and on to the far side.
-    double const leave = circle_crossing_time(path, shape.origin, inner, 1);
-    return leave > 0 && faces(leave) ? leave : never;
-}
-
-double vertex_closing_time(Terrain const& terrain, Shape const& shape, Path const& path, double radius) {
-    auto const faces = [&](double t) { return t <= path.time && sight_of(terrain, shape, path.at(t)).faces; };
-    if (circle_closes_now(shape, path, radius, 1) && faces(0)) return 0;
-    double const entry = circle_crossing_time(path, shape.origin, radius, -1);
-    return faces(entry) ? entry : never;
 }
 
 }  // namespace
@@ -186,39 +81,6 @@ double curvature_at(Shape const& shape, int side, double radius) {
     return inside ? -1 / (shape.radius - radius) : 1 / (shape.radius + radius);
 }
 
-Path path_between(Vec2 const& from, Vec2 const& velocity, Vec2 const& to, double time) {
-    if (time <= 0) return {from, velocity, Vec2::Zero(), 0};
-    return {from, velocity, (2 / time) * ((to - from) / time - velocity), time};
-}
-
-double closing_time(Terrain const& terrain, Shape const& shape, Path const& path, double radius) {
-    switch (shape.kind) {
-        case Shape::Kind::line:
-            return line_closing_time(shape, path, radius);
-        case Shape::Kind::arc:
-            return arc_closing_time(terrain, shape, path, radius);
-        case Shape::Kind::vertex:
-            return vertex_closing_time(terrain, shape, path, radius);
-    }
-    return never;
-}
-
-Contact contact_on(Spoke const& spoke, Vec2 const& normal) {
-    double const left = wedge(spoke.direction, normal) * (spoke.at_start ? 1 : -1);
-    return {spoke.piece, left >= 0 ? 1 : -1};
-}
-
-Passage passage_over(Terrain const& terrain, Contact contact, int vertex, Vec2 const& normal) {
-    Passage passage{{terrain.feature_of_vertex(vertex), 1}, false};
-    for (Spoke const& spoke : terrain.vertices[vertex].spokes) {
-        if (spoke.piece == contact.feature) continue;
-        double const rise = dot(spoke.direction, normal);
-        if (std::abs(rise) <= joint_turn) return {contact_on(spoke, normal), true};
-        if (rise > 0) passage.to = contact_on(spoke, normal);
-    }
-    return passage;
-}
-
 bool meet_smoothly(Terrain const& terrain, int piece, int other) {
     if (terrain.is_vertex(piece) || terrain.is_vertex(other)) return false;
     for (int const vertex : {terrain.start_vertex[piece], terrain.end_vertex[piece]}) {
@@ -231,6 +93,14 @@ bool meet_smoothly(Terrain const& terrain, int piece, int other) {
     }
     return false;
 }
+
+namespace {
+
+bool within(geometry::Box const& box, Vec2 const& p) {
+    return p.x() >= box.low.x() && p.x() <= box.high.x() && p.y() >= box.low.y() && p.y() <= box.high.y();
+}
+
+}  // namespace
 
 void look_around(Terrain const& terrain, Vec2 const& centre, double radius, double reach, Surroundings& surroundings) {
     surroundings.box = {centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)};
@@ -245,6 +115,13 @@ void look_around(Terrain const& terrain, Vec2 const& centre, double radius, doub
         for (int const vertex : {terrain.start_vertex[piece], terrain.end_vertex[piece]})
             if (vertex >= 0 && terrain.vertices[vertex].cone_width > 0) add(terrain.feature_of_vertex(vertex));
     });
+}
+
+std::vector<Shape> const& shapes_on_the_way(Terrain const& terrain, Vec2 const& from, Vec2 const& to, double radius,
+                                            Surroundings& surroundings) {
+    if (!within(surroundings.box, from) || !within(surroundings.box, to))
+        look_around(terrain, from, radius, radius + paths_ahead * length(to - from), surroundings);
+    return surroundings.shapes;
 }
 
 }  // namespace physics

@@ -24,8 +24,8 @@ void wake_leaning(Stage& stage, World& world, double pace) {
         if (!pair.leaning || stage.asleep[pair.first] == stage.asleep[pair.second]) continue;
         int const sleeper = stage.asleep[pair.first] ? pair.first : pair.second;
         Traveller const& other = stage.travellers[stage.asleep[pair.first] ? pair.second : pair.first];
-        double const weight =
-            stage.travellers[sleeper].ball->mass * geometry::length(stage.travellers[sleeper].field->gravity) * pace;
+        double const weight = stage.pile.swell[sleeper] * stage.travellers[sleeper].ball->mass *
+                              geometry::length(stage.travellers[sleeper].field->gravity) * pace;
         bool const moves = geometry::length(other.state.velocity) > stirring;
         if (moves || change_of(pair) > unbearable * weight) world.still_steps[sleeper] = 0;
     }
@@ -38,7 +38,8 @@ bool all_asleep(Scene const& scene, World const& world) {
            std::all_of(world.still_steps.begin(), world.still_steps.end(), [](int n) { return n >= steps_to_sleep; });
 }
 
-void put_to_sleep(Stage& stage, World& world, double pace) {
+void put_to_sleep(Stage& stage, double pace) {
+    World& world = stage.world;
     std::vector<char> const before = stage.asleep;
     mark_asleep(stage, world);
     wake_leaning(stage, world, pace);

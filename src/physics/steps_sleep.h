@@ -10,7 +10,7 @@ bool all_asleep(Scene const& scene, World const& world);
 
 // Whom this step leaves standing. A ball wakes when one that it leans on moves, or presses on it otherwise than when it
 // fell asleep.
-void put_to_sleep(Stage& stage, World& world, double pace);
+void put_to_sleep(Stage& stage, double pace);
 
 // Counts for how long each ball has stood, and stops those that fall asleep.
 void count_still(Stage& stage, World& world);

@@ -4,16 +4,37 @@
 
 #include <vector>
 
+#include "physics/field.h"
+#include "physics/steps_shape.h"
 #include "physics/steps_soft.h"
-#include "physics/steps_travel.h"
 
 namespace physics {
+
+// A ball where it has come to in the step.
+struct Traveller {
+    int index = 0;
+    Ball const* ball = nullptr;
+    Field const* field = nullptr;
+    State state;
+    Contact contact;
+    Surroundings near;
+    bool still = false;  // it stands
+};
+
+struct Substep {
+    double since = 0;   // s
+    double length = 0;  // s
+    double end() const { return since + length; }
+};
 
 // Where a ball's present path began within the substep: at the last impact with another ball, or at the beginning.
 struct Departure {
     State state;
-    Contact contact;
     double time = 0;  // s into the substep
+    // Of a ball on its plan, so that it can be taken back to it:
+    Leg leg;
+    Outlook outlook;
+    std::size_t legs = 0;  // in its history
 };
 
 // Balls that lean on each other, and what the solver works on; anew when they are others.
@@ -25,29 +46,40 @@ struct Pile {
     std::vector<SoftContact> ground;    // one for each touch
     std::vector<Touch> touches;         // of these balls
     std::vector<Touch> left;            // of balls asleep
+    std::vector<int> deep;              // balls pressed too deep into terrain
+    std::vector<double> swell;          // by ball: how many times heavier it is taken to be
 };
 
 struct Stage {
-    explicit Stage(Scene const& of) : scene(of) {}
+    Stage(Scene const& of, World& in, History& told) : scene(of), world(in), history(told) {}
 
     Scene const& scene;
+    World& world;
+    History& history;
+    double pace = 0;            // s, from one substep to the next
+    double step = 0;            // s, of its substeps together
     std::vector<Field> fields;  // that of the balls that are not pulled, then of the one that is
     std::vector<Traveller> travellers;
     std::vector<Neighbours> neighbours;  // in order of the balls
     std::vector<geometry::Box> reaches;  // by ball: while it keeps within, it has no other neighbours
     std::vector<Departure> departures;
     std::vector<char> leaning;  // by ball: it leans on another
-    std::vector<char> alone;    // by ball: nobody is near, so it needs no substeps
+    std::vector<char> alone;    // by ball: nobody is near, so it is left on its plan
     std::vector<char> struck;   // by ball: hit by another in the present pass over the pairs
     std::vector<char> asleep;   // by ball: it has stood still so long that it is left standing
     std::vector<int> awake;     // the others that are not alone, in order
     std::vector<int> free;      // of these, those that do not lean on others
     std::vector<int> live;      // neighbours of which one is awake
+    std::vector<int> pairs_of;    // the live neighbours of one ball after the other,
+    std::vector<int> pairs_from;  // by ball: where its own begin
+    std::vector<double> soonest;  // by ball, s: scratch of the search for the next hits, `never` between
     Pile pile;
     int pulled = -1;           // the ball on the drag spring
     bool regroup = true;       // who leans, or who is awake, is not as it was when the groups were made
     bool relist = true;        // likewise of those lists that tell which pairs to look at
     bool looked_anew = false;  // neighbours were found in the middle of a step, without the balls that are alone
+    World alone_world;         // in which a stepped ball moves as if it were alone
+    History alone_history;
 };
 
 }  // namespace physics

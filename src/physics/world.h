@@ -45,26 +45,6 @@ struct Neighbours {  // two balls near each other
     Impulse borne;         // when one of them was last put to sleep
 };
 
-struct World {
-    double time = 0;  // s: everything up to here is settled
-    Forces forces;
-    std::vector<Leg> legs;  // by ball, the current ones
-
-    double step_origin = 0;              // s, where step 0 began
-    long long steps_taken = 0;           // step n is at step_origin + n / rate
-    std::vector<Touch> touches;          // stepping methods, by ball
-    std::vector<Neighbours> neighbours;  // in order of the balls
-    std::vector<geometry::Box> reaches;  // by ball: while they keep within, there are no other neighbours
-    std::vector<int> still_steps;        // by ball, for how many steps it has stood still; apply() clears it
-
-    std::vector<Outlook> outlooks;  // exact method
-    double quiet_until = -never;    // s, exact method: no event comes before, as far as is known
-    bool handed_over = false;       // the exact method has let `steps` take the world for now
-    double handover_time = 0;       // s, when it last did
-
-    std::vector<std::vector<bool>> noticed;  // by sensor and ball
-};
-
 enum class EventKind {
     land,
     bounce,
@@ -89,13 +69,40 @@ struct Event {
     int ball = 0;
     State state;      // just after
     Contact contact;  // the surface touched
-    int other = -1;   // the other ball of a hit, the sensor of a sensor event
+    int other = -1;   // the other ball of a hit, the sensor of a sensor event, the island of a hand-over or take-over
+};
+
+struct World {
+    double time = 0;  // s: everything up to here is settled
+    Forces forces;
+    std::vector<Leg> legs;  // by ball, the current ones
+
+    double step_origin = 0;              // s, where step 0 began
+    long long steps_taken = 0;           // step n is at step_origin + n / rate
+    std::vector<Touch> touches;          // stepping methods, by ball
+    std::vector<Neighbours> neighbours;  // in order of the balls
+    std::vector<double> swells;          // by ball: how many times heavier than it is a leaning ball was taken to be
+    std::vector<geometry::Box> reaches;  // by ball: while they keep within, there are no other neighbours
+    std::vector<int> still_steps;        // by ball, for how many steps it has stood still; apply() clears it
+    std::vector<char> in_step;           // by ball: settled to the end of the present step, the others to `time`
+    Forces step_forces;                  // that act on those
+    std::vector<Event> ahead;            // told of them, but not before their time
+    double clear_until = -never;         // s: under step_forces no ball comes near another before
+
+    std::vector<Outlook> outlooks;  // of balls on their plan
+    double quiet_until = -never;    // s, exact method: no event comes before, as far as is known
+    bool handed_over = false;       // the exact method has let `steps` take balls that lean for now,
+    std::vector<int> island;        // because of these
+    double handover_time = 0;       // s, when it last did
+
+    std::vector<std::vector<bool>> noticed;  // by sensor and ball
 };
 
 // How the world came where it is: legs by ball in order of time, the current one last, and events.
 struct History {
     std::vector<Trail<Leg>> legs;
     Trail<Event> events;
+    std::vector<std::vector<int>> islands;  // the balls of each that was handed over, in order
     double from = 0;  // s: nothing is known of before
 };
 

@@ -71,7 +71,8 @@ Outcome outcome_of(game::Session session, double duration) {
 void print_under_every_method(std::string const& name, SharedLevel const& level, Inputs const& inputs,
                               double duration) {
     for (physics::Method const& method :
-         {physics::Method(physics::Article{}), physics::Method(physics::Steps{}), physics::Method(physics::Exact{})}) {
+         {physics::Method(physics::Article{}), physics::Method(physics::Euler{}), physics::Method(physics::Steps{}),
+          physics::Method(physics::Exact{})}) {
         Outcome const outcome = outcome_of(game::session_of(level, method, inputs), duration);
         std::printf("%s %s %s %s\n", name.c_str(), physics::name_of(method), outcome.last.c_str(),
                     level::hex_of(outcome.all).c_str());

@@ -30,10 +30,10 @@ TEST_CASE("the past is kept for its time, and answers as it did") {
 TEST_CASE("the past takes no more memory than it may, but never less than the shortest") {
     game::PastLimits limits;
     limits.bytes = 10 * 240 * sizeof(physics::Leg);
-    game::Session const some = played(physics::Steps{}, 60, limits);
+    game::Session const some = played(physics::Euler{}, 60, limits);
     CHECK(game::bytes_of(some.history, some.method) <= limits.bytes);
     CHECK(some.history.from < 60 - limits.shortest);
     limits.bytes = 0;
-    game::Session const least = played(physics::Steps{}, 60, limits);
+    game::Session const least = played(physics::Euler{}, 60, limits);
     CHECK(least.history.from == 60 - limits.shortest);
 }

@@ -59,8 +59,17 @@ physics::Pull pull_after(level::Level const& level, std::vector<game::Input> con
 
 }  // namespace
 
-TEST_CASE("an input acts at the first step that starts at or after it") {
-    Session session = session_of(empty_level(Vec2::Zero()), {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}}, 10);
+TEST_CASE("an input acts at its time on a ball that no other is near, whatever the rate of steps") {
+    Session session = session_of(empty_level(Vec2::Zero()), {{0.25, game::Tilt{0.2}}}, 10);
+    game::advance(session, 1);
+    REQUIRE(session.history.events.size() == 1);
+    CHECK(session.history.events[0].time == 0.25);
+}
+
+TEST_CASE("under a method of steps alone an input acts at the first that starts at or after it") {
+    Session session =
+        game::session_of(std::make_shared<level::Level const>(empty_level(Vec2::Zero())), physics::Euler{10},
+                         {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}}, "run.json");
     game::advance(session, 1);
     REQUIRE(session.history.events.size() == 2);
     CHECK(session.history.events[0].kind == physics::EventKind::tilt);
@@ -239,7 +248,8 @@ TEST_CASE("the game ends at the same time however often one looks, under every m
     add_line(level, 0.8 - 1e-3, level::Meaning::goal);
     level.scene.sensors[0].ball = -1;
     for (physics::Method const& method :
-         {physics::Method(physics::Article{}), physics::Method(physics::Steps{}), physics::Method(physics::Exact{})}) {
+         {physics::Method(physics::Article{}), physics::Method(physics::Euler{}), physics::Method(physics::Steps{}),
+          physics::Method(physics::Exact{})}) {
         auto const shared = std::make_shared<level::Level const>(level);
         Session once = game::session_of(shared, method, drag()), often = game::session_of(shared, method, drag());
         game::advance(once, 2);

@@ -103,20 +103,3 @@ TEST_CASE("T11: on a slope the bounces end in rolling, where and when their sums
         CHECK(run.history.events.size() <= 5000);
     }
 }
-
-TEST_CASE("T11 pinned: steps swallow the bounces that take off slower than gravity makes a substep") {
-    // What is left of the bounces at a take-off of v takes 2 v / (g (1 - e)): with v = g/960 at most 89.853 s end
-    // 0.208 s early. The rest is told at the end of a step.
-    double const substep = 1.0 / 960, step = 1.0 / 240;
-    for (double const e : {0.5, 0.9, 0.99}) {
-        CAPTURE(e);
-        double const limit = std::sqrt(2 / g) * (1 + e) / (1 - e), left = 2 * substep / (1 - e);
-        Run run(physics::Steps{}, floor_with(disc_at({0, 1.5}), material(0.9, e)));
-        run.to(limit + 1);
-        double const early = limit - time_of_last(physics::EventKind::rest, run.history);
-        CHECK(early <= left);
-        CHECK(early >= e * e * left - step);
-        CHECK(run.leg().phase == physics::Phase::rest);
-        CHECK(run.history.events.size() <= 5000);
-    }
-}

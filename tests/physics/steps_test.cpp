@@ -5,8 +5,6 @@
 #include "geometry/elementary.h"
 #include "physics/article.h"
 #include "physics/method.h"
-#include "physics/steps_along.h"
-#include "physics/steps_shape.h"
 
 using namespace physics;
 using geometry::Arc;
@@ -29,16 +27,57 @@ std::vector<Method> const methods = {Article{}, Steps{}};
 
 }  // namespace
 
-TEST_CASE(
-    "steps are counted from their origin, and a call ends at the first that starts at or after the time asked for") {
+TEST_CASE("steps are counted from their origin, and a call of article ends at the first that starts at or after its time") {
     Scene const scene = floor_with({0, 0.5}, {1, 0});
-    for (Method const& method : methods) {
-        History history;
-        World world = world_at_start(method, scene, history);
-        advance(method, scene, world, 0.1001, history);
-        CHECK(world.steps_taken == 25);
-        CHECK(world.time == 25 / 240.0);
+    History history;
+    World world = world_at_start(Article{}, scene, history);
+    advance(Article{}, scene, world, 0.1001, history);
+    CHECK(world.steps_taken == 25);
+    CHECK(world.time == 25 / 240.0);
+}
+
+TEST_CASE("a ball that no other is near is where exact has it, between steps too, and whenever one asks") {
+    Scene scene = floor_with({0, 3}, {1.7, 0});
+    History exact_history;
+    World exact = world_at_start(Exact{}, scene, exact_history);
+    advance(Exact{}, scene, exact, 1.0001, exact_history);
+    scene.balls.push_back(scene.balls[0]);
+    scene.balls[1].start.position.x() = 50;
+    History once_history, often_history;
+    World once = world_at_start(Steps{}, scene, once_history), often = world_at_start(Steps{}, scene, often_history);
+    advance(Steps{}, scene, once, 1.0001, once_history);
+    for (int i = 1; i <= 137; ++i) advance(Steps{}, scene, often, i * (1.0001 / 137), often_history);
+    State const right = at(exact.legs[0], exact.time);
+    CHECK(once.time == 1.0001);
+    for (World const* world : {&once, &often}) {
+        CHECK(at(world->legs[0], 1.0001).position == right.position);
+        CHECK(at(world->legs[0], 1.0001).spin == right.spin);
     }
+    REQUIRE(once_history.events.size() == often_history.events.size());
+    for (std::size_t i = 0; i < once_history.events.size(); ++i)
+        CHECK(once_history.events[i].time == often_history.events[i].time);
+}
+
+TEST_CASE("an input acts at its time on a ball that no other is near, while a pile is stepped elsewhere") {
+    Scene scene = floor_with({0, 3}, {0, 0});
+    scene.terrain = terrain_of({{Segment{{40, 0}, {60, 0}}, {}, 0}});
+    for (double const height : {0.5, 1.5}) {
+        scene.balls.push_back(scene.balls[0]);
+        scene.balls.back().start.position = {50, height};
+    }
+    History history;
+    World world = world_at_start(Steps{}, scene, history);
+    advance(Steps{}, scene, world, 0.1001, history);
+    Forces forces;
+    forces.tilt = pi / 2;
+    apply(Steps{}, scene, world, forces, history);
+    CHECK(world.time == 0.1001);
+    advance(Steps{}, scene, world, 0.3, history);
+    State const state = state_at(history, 0, 0.3);
+    // Down until then, to the right from then on.
+    CHECK(state.velocity.y() == doctest::Approx(-9.81 * 0.1001).epsilon(1e-13));
+    CHECK(state.velocity.x() == doctest::Approx(9.81 * (0.3 - 0.1001)).epsilon(1e-13));
+    for (int ball = 1; ball < 3; ++ball) CHECK(state_at(history, ball, 0.3).velocity.x() > 0);
 }
 
 TEST_CASE("how often one asks does not change the motion") {
@@ -71,12 +110,13 @@ TEST_CASE("legs follow on each other without a gap, and the last is the world's 
     }
 }
 
-TEST_CASE("a ball that touches at the start is on its surface from the first leg on, without a landing") {
+TEST_CASE("a ball that touches at the start is on its surface from the first leg on, and rests without a landing") {
     History history;
     World const world = world_at_start(Steps{}, floor_with({0, 0.5 + 5e-10}, {0, 0}), history);
     CHECK(world.legs[0].phase != Phase::flight);
     CHECK(world.legs[0].contact == Contact{0, 1});
-    CHECK(history.events.empty());
+    REQUIRE(history.events.size() == 1);
+    CHECK(history.events[0].kind == EventKind::rest);
 }
 
 TEST_CASE("a dropped ball without restitution lands once, then rests") {
@@ -175,31 +215,4 @@ TEST_CASE("the article's rule: what is kept is tangent, and the spin is -(v ^ n)
     CHECK(std::abs(step.state.velocity.y()) <= 1e-14);
     CHECK(step.state.spin == doctest::Approx(-3 / 0.5));
     CHECK(step.state.angle == doctest::Approx(-3 * 1e-3 / 0.5));
-}
-
-TEST_CASE("a path closes upon a line, an arc from both sides and a vertex when the formulas say so") {
-    Terrain const terrain = terrain_of({{Segment{{0, 0}, {4, 0}}, {}, 0}, {Arc{{10, 0}, 2, 0, 2 * pi}, {}, 1}});
-    Shape const line = shape_of(terrain, 0), ring = shape_of(terrain, 1), end = shape_of(terrain, 2);
-    auto const closing = [&](Shape const& shape, Vec2 const& from, Vec2 const& velocity) {
-        return closing_time(terrain, shape, {from, velocity, Vec2::Zero(), 10}, 0.5);
-    };
-    CHECK(closing(line, {1, 3}, {0, -1}) == doctest::Approx(2.5));
-    CHECK(closing(line, {1, -3}, {0, 1}) == doctest::Approx(2.5));
-    CHECK(closing(line, {-1, 3}, {0, -1}) == never);
-    CHECK(closing(ring, {5, 0}, {1, 0}) == doctest::Approx(2.5));
-    CHECK(closing(ring, {10, 0}, {1, 0}) == doctest::Approx(1.5));
-    CHECK(closing(end, {-3, 0}, {1, 0}) == doctest::Approx(2.5));
-    CHECK(closing(line, {1, 0.5}, {0, 1}) == never);
-    CHECK(closing(line, {1, 0.5}, {0, -1}) == 0);
-}
-
-TEST_CASE("sliding turns into rolling within one motion, exactly") {
-    Drive drive;
-    drive.pressure = 10;
-    drive.material.friction = 0.2;
-    Along const along = after_moving(drive, {0, 3, 0, 0}, 4);
-    // Slip ends after v0 k / ((1 + k) mu N) = 0.5 s with 2 m/s.
-    CHECK(along.speed == doctest::Approx(2).epsilon(1e-12));
-    CHECK(along.rim == doctest::Approx(2).epsilon(1e-12));
-    CHECK(along.way == doctest::Approx(1.25 + 2 * 3.5).epsilon(1e-12));
 }

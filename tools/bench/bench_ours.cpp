@@ -74,6 +74,7 @@ private:
 
 physics::Method method_of(Contestant const& contestant) {
     if (contestant.method == "article") return physics::Article{contestant.rate};
+    if (contestant.method == "euler") return physics::Euler{contestant.rate};
     if (contestant.method == "steps") return physics::Steps{contestant.rate, 4};
     return physics::Exact{};
 }
@@ -83,7 +84,7 @@ std::vector<Contestant> our_methods(std::vector<double> const& rates) {
     all.push_back({"exact", "as it is", 0, true, 0, our_engine});
     for (int const pieces : {32, 128, 512, 2048})
         all.push_back({"exact on pieces", std::to_string(pieces) + " pieces", 0, false, pieces, our_engine});
-    for (char const* const method : {"steps", "article"})
+    for (char const* const method : {"steps", "euler", "article"})
         for (double const rate : rates)
             all.push_back({method, std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 240, 0, our_engine});
     return all;

@@ -137,7 +137,7 @@ void write_orders(std::vector<Row> const& rows, std::ostream& to) {
     to << "# slope of log(median error) against log(step), rounding and failures left out; the finest of its points\n"
        << "# scene\tmethod\torder\tstep\terror\n";
     for (std::string const& scene : scenes_of(rows))
-        for (char const* const method : {"steps", "article", "Box2D", "Chipmunk"}) {
+        for (char const* const method : {"steps", "euler", "article", "Box2D", "Chipmunk"}) {
             std::vector<std::pair<double, double>> points;
             for (Row const& row : rows)
                 if (row.scene == scene && row.contestant.method == method && row.errors.median > rounding)
