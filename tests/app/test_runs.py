@@ -19,7 +19,7 @@ def fnv1a(data):
 
 class Runs(ProgramTest):
     def write(self, name="run.json", **changes):
-        run = {"smb2d": 1, "level": "small.svg", "method": "steps", "rate": 240, "duration": 2, "inputs": [
+        run = {"smb2d": 1, "level": "small.svg", "method": "euler", "rate": 240, "duration": 2, "inputs": [
             {"t": 0.5, "grab": {"ball": 0, "x": 2.5, "y": 1.0}}, {"t": 0.75, "move": {"x": 3.0, "y": 2.0}},
             {"t": 1.0, "release": True}, {"t": 1.25, "tilt": 0.1}]}
         run.update(changes)
