@@ -26,13 +26,13 @@ std::optional<std::filesystem::path> lessons_file() {
     return *folder / "learnt.json";
 }
 
-struct Listed {
+struct ListedLessons {
     std::set<Lesson> lessons;
     bool spoilt = false;  // the file is there, but is no list
 };
 
-Listed listed() {
-    Listed list;
+ListedLessons listed() {
+    ListedLessons list;
     auto const file = lessons_file();
     std::error_code missing;
     if (!file || !std::filesystem::is_regular_file(*file, missing)) return list;
@@ -53,7 +53,7 @@ Listed listed() {
 std::set<Lesson> learnt_lessons() { return listed().lessons; }
 
 void note_learnt(Lesson lesson) {
-    Listed list = listed();
+    ListedLessons list = listed();
     if (!list.lessons.insert(lesson).second) return;
     auto const file = lessons_file();
     if (!file) throw std::runtime_error("what was learnt cannot be kept: neither XDG_DATA_HOME nor HOME is set");

@@ -56,7 +56,7 @@ bool is_gradient(pugi::xml_node node) {
     return tag == "linearGradient" || tag == "radialGradient";
 }
 
-pugi::xml_attribute reference_of(pugi::xml_node node) {
+pugi::xml_attribute paint_reference_of(pugi::xml_node node) {
     pugi::xml_attribute const plain = node.attribute("href");
     return plain ? plain : node.attribute("xlink:href");
 }
@@ -87,7 +87,7 @@ std::optional<Paint> Paints::mean_of(std::string const& id) {
             stops.push_back({std::max(is_radial ? offset * offset : offset, least),
                              colour ? channels_of(*colour, share_in(style.stop_opacity, 1)) : Channels{}});
         }
-        std::string_view const reference = trimmed(reference_of(node).value());
+        std::string_view const reference = trimmed(paint_reference_of(node).value());
         node = reference.substr(0, 1) == "#" ? gradient(std::string(reference.substr(1))) : pugi::xml_node();
     }
     if (stops.empty()) return std::nullopt;

@@ -15,7 +15,7 @@ using geometry::dot;
 constexpr int impulse_sweeps = 10;
 constexpr int projection_sweeps = 4;
 constexpr double slow_bounce = 2;      // steps in free fall: what closes more slowly does not bounce
-constexpr double still = 1e-4;         // m/s, a touching ball below it is at rest
+constexpr double euler_still = 1e-4;         // m/s, a touching ball below it is at rest
 constexpr double slipping = 1e-6;      // m/s, it slides above it
 constexpr double end_overlap = 1e-9;   // m, less is that of the piece beside
 constexpr double most_friction = 1e9;  // infinity times nothing is no number
@@ -55,7 +55,7 @@ int side_of(geometry::Curve const& curve, Vec2 const& point, Vec2 const& normal)
     return dot(normal, left) < 0 ? -1 : 1;
 }
 
-// Feet within pieces first; then ends, as far as they still overlap a ball that has been pushed out of those.
+// Feet within pieces first; then ends, as far as they euler_still overlap a ball that has been pushed out of those.
 void collide_with_terrain(Bodies& bodies, int ball) {
     Terrain const& terrain = bodies.scene.terrain;
     Vec2 const place = bodies.states[ball].position;
@@ -174,7 +174,7 @@ Standing standing_of(Bodies const& bodies, int ball) {
         most = c.pressed;
         standing.contact = c.contact;
         double const along = geometry::wedge(standing.state.velocity, c.normal), rim = rim_of(bodies, ball);
-        bool const rests = geometry::length(standing.state.velocity) < still && std::abs(rim) < still;
+        bool const rests = geometry::length(standing.state.velocity) < euler_still && std::abs(rim) < euler_still;
         standing.phase = rests ? Phase::rest : std::abs(along + rim) > slipping ? Phase::slide : Phase::roll;
     }
     return standing;

@@ -52,14 +52,14 @@ std::vector<int> crowd_about(Stage const& stage, std::vector<int> crowd) {
 }
 
 // A contact among the crowd, or of one of it with terrain.
-struct Touching {
-    Push push;
+struct FirmTouch {
+    ContactPush push;
     double gap = 0;    // m
     double slack = 0;  // m, by which it may overlap
     int pair = -1;
 };
 
-void add_terrain(Stage& stage, int ball, std::vector<Touching>& contacts) {
+void add_terrain(Stage& stage, int ball, std::vector<FirmTouch>& contacts) {
     Traveller& traveller = stage.travellers[ball];
     double const radius = traveller.ball->radius;
     for (Shape const& shape : shapes_on_the_way(stage.scene.terrain, traveller.state.position,
@@ -71,8 +71,8 @@ void add_terrain(Stage& stage, int ball, std::vector<Touching>& contacts) {
     }
 }
 
-std::vector<Touching> contacts_among(Stage& stage, std::vector<int> const& crowd) {
-    std::vector<Touching> contacts;
+std::vector<FirmTouch> contacts_among(Stage& stage, std::vector<int> const& crowd) {
+    std::vector<FirmTouch> contacts;
     for (int const k : stage.live) {
         Neighbours const& e = stage.neighbours[k];
         if (!has(crowd, e.first) || !has(crowd, e.second)) continue;
@@ -90,24 +90,24 @@ std::vector<Touching> contacts_among(Stage& stage, std::vector<int> const& crowd
     return contacts;
 }
 
-std::vector<Push> pushes_of(std::vector<Touching> const& contacts) {
-    std::vector<Push> pushes;
-    for (Touching const& contact : contacts) pushes.push_back(contact.push);
+std::vector<ContactPush> pushes_of(std::vector<FirmTouch> const& contacts) {
+    std::vector<ContactPush> pushes;
+    for (FirmTouch const& contact : contacts) pushes.push_back(contact.push);
     return pushes;
 }
 
-double parting_speed(Stage const& stage, Push const& push) {
+double parting_speed(Stage const& stage, ContactPush const& push) {
     Vec2 const& second = stage.travellers[push.second].state.velocity;
     return dot(push.first < 0 ? second : Vec2(second - stage.travellers[push.first].state.velocity), push.normal);
 }
 
 // From now on no contact closes by more than its gap in `time`. What is pressed together leans.
-void stop(Stage& stage, std::vector<Touching>& contacts, double time) {
-    for (Touching& contact : contacts)
+void stop(Stage& stage, std::vector<FirmTouch>& contacts, double time) {
+    for (FirmTouch& contact : contacts)
         contact.push.wanted = -std::max(0.0, contact.gap) / time - parting_speed(stage, contact.push);
     std::vector<double> const impulses = least_pushes(pushes_of(contacts));
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        Push const& push = contacts[i].push;
+        ContactPush const& push = contacts[i].push;
         Vec2 const impulse = impulses[i] * push.normal;
         stage.travellers[push.second].state.velocity += push.second_yield * impulse;
         if (push.first < 0) continue;
@@ -122,15 +122,15 @@ void stop(Stage& stage, std::vector<Touching>& contacts, double time) {
 
 // Moves balls so that no contact overlaps by more than its slack, the light ones rather than the heavy ones; only part
 // of the way if that is so long that it might lead through terrain.
-void move_apart(Stage& stage, std::vector<int> const& crowd, std::vector<Touching>& contacts) {
-    for (Touching& contact : contacts) contact.push.wanted = -(contact.gap + contact.slack);
+void move_apart(Stage& stage, std::vector<int> const& crowd, std::vector<FirmTouch>& contacts) {
+    for (FirmTouch& contact : contacts) contact.push.wanted = -(contact.gap + contact.slack);
     std::vector<double> const pushes = least_pushes(pushes_of(contacts));
     std::vector<Vec2> ways(crowd.size(), Vec2::Zero());
     auto const add = [&](int ball, Vec2 const& way) {
         ways[static_cast<std::size_t>(std::find(crowd.begin(), crowd.end(), ball) - crowd.begin())] += way;
     };
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        Push const& push = contacts[i].push;
+        ContactPush const& push = contacts[i].push;
         add(push.second, (push.second_yield * pushes[i]) * push.normal);
         if (push.first >= 0) add(push.first, (-push.first_yield * pushes[i]) * push.normal);
     }
@@ -142,8 +142,8 @@ void move_apart(Stage& stage, std::vector<int> const& crowd, std::vector<Touchin
     for (std::size_t i = 0; i < crowd.size(); ++i) stage.travellers[crowd[i]].state.position += share * ways[i];
 }
 
-bool any_deep(std::vector<Touching> const& contacts) {
-    return std::any_of(contacts.begin(), contacts.end(), [](Touching const& c) { return c.gap < -c.slack * leeway; });
+bool any_deep(std::vector<FirmTouch> const& contacts) {
+    return std::any_of(contacts.begin(), contacts.end(), [](FirmTouch const& c) { return c.gap < -c.slack * leeway; });
 }
 
 void wake(Stage& stage, int ball) {
@@ -180,7 +180,7 @@ void stop_crowd(Stage& stage, Substep const& substep, int pair, double time) {
         wake(stage, ball);
         stage.struck[ball] = 1;
     }
-    std::vector<Touching> contacts = contacts_among(stage, crowd);
+    std::vector<FirmTouch> contacts = contacts_among(stage, crowd);
     double const left = substep.length - time;
     stop(stage, contacts, std::max(left, substep.length / 16));
     for (int const ball : crowd) coast(stage, substep, ball, std::max(time, stage.departures[ball].time));
@@ -189,7 +189,7 @@ void stop_crowd(Stage& stage, Substep const& substep, int pair, double time) {
 void part_deep(Stage& stage, Substep const& substep, int ball, int other) {
     std::vector<int> const crowd =
         crowd_about(stage, ball == other ? std::vector<int>{ball} : std::vector<int>{ball, other});
-    std::vector<Touching> contacts = contacts_among(stage, crowd);
+    std::vector<FirmTouch> contacts = contacts_among(stage, crowd);
     if (!any_deep(contacts)) return;  // another of the crowd was parted before
     for (int const i : crowd) wake(stage, i);
     for (int i = 0; i < most_moves && any_deep(contacts); ++i) {

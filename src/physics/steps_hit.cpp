@@ -62,8 +62,8 @@ Blow blow_between(Stage const& stage, Substep const& substep, int pair) {
     return blow;
 }
 
-std::vector<Push> pushes_of(Stage const& stage, std::vector<Blow> const& blows) {
-    std::vector<Push> pushes;
+std::vector<ContactPush> pushes_of(Stage const& stage, std::vector<Blow> const& blows) {
+    std::vector<ContactPush> pushes;
     for (Blow const& blow : blows) {
         Neighbours const& e = stage.neighbours[blow.pair];
         pushes.push_back({e.first, e.second, blow.normal, 1 / stage.travellers[e.first].ball->mass,
@@ -79,20 +79,20 @@ void add_impulse(Traveller& traveller, Vec2 const& impulse, double tangent) {
 }
 
 // The largest number of blows that one of the pair's balls takes.
-int crowd_of(std::vector<Push> const& pushes, Push const& push) {
+int crowd_of(std::vector<ContactPush> const& pushes, ContactPush const& push) {
     auto const on = [&](int ball) {
         return std::count_if(pushes.begin(), pushes.end(),
-                             [&](Push const& p) { return p.first == ball || p.second == ball; });
+                             [&](ContactPush const& p) { return p.first == ball || p.second == ball; });
     };
     return static_cast<int>(std::max(on(push.first), on(push.second)));
 }
 
 // Each contact's friction as if it were alone, in the parts in which its balls share it: the mean of impulses none of
 // which gains energy gains none.
-void rub_together(Stage& stage, std::vector<Push> const& pushes, std::vector<double> const& normals) {
+void rub_together(Stage& stage, std::vector<ContactPush> const& pushes, std::vector<double> const& normals) {
     std::vector<double> tangents;
     for (std::size_t i = 0; i < pushes.size(); ++i) {
-        Push const& push = pushes[i];
+        ContactPush const& push = pushes[i];
         Traveller const& a = stage.travellers[push.first];
         Traveller const& b = stage.travellers[push.second];
         double const slip = dot(b.state.velocity - a.state.velocity, geometry::turned_right(push.normal)) +
@@ -110,7 +110,7 @@ void rub_together(Stage& stage, std::vector<Push> const& pushes, std::vector<dou
 }
 
 void strike_together(Stage& stage, std::vector<Blow> const& blows) {
-    std::vector<Push> const pushes = pushes_of(stage, blows);
+    std::vector<ContactPush> const pushes = pushes_of(stage, blows);
     std::vector<double> const normals = least_pushes(pushes);
     for (std::size_t i = 0; i < pushes.size(); ++i) {
         Vec2 const impulse = normals[i] * pushes[i].normal;

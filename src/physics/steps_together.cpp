@@ -21,7 +21,7 @@ struct Matrix {
 };
 
 // What a unit push at `b` makes of `a`.
-double response(Push const& a, Push const& b) {
+double response(ContactPush const& a, ContactPush const& b) {
     double const cosine = geometry::dot(a.normal, b.normal);
     double sum = 0;
     if (a.second == b.second) sum += a.second_yield * cosine;
@@ -32,7 +32,7 @@ double response(Push const& a, Push const& b) {
     return sum;
 }
 
-Matrix responses(std::vector<Push> const& pushes) {
+Matrix responses(std::vector<ContactPush> const& pushes) {
     Matrix matrix(pushes.size());
     for (std::size_t i = 0; i < pushes.size(); ++i)
         for (std::size_t j = 0; j < pushes.size(); ++j) matrix.at(i, j) = response(pushes[i], pushes[j]);
@@ -41,7 +41,7 @@ Matrix responses(std::vector<Push> const& pushes) {
 
 // The pushes with which just the chosen contacts get what they want, by Cholesky's factors; nothing where the last of
 // them depends on the others.
-std::vector<double> solved(Matrix const& a, std::vector<Push> const& pushes, std::vector<std::size_t> const& chosen) {
+std::vector<double> solved(Matrix const& a, std::vector<ContactPush> const& pushes, std::vector<std::size_t> const& chosen) {
     std::size_t const n = chosen.size();
     Matrix factor(n);
     std::vector<double> x(n);
@@ -64,7 +64,7 @@ std::vector<double> solved(Matrix const& a, std::vector<Push> const& pushes, std
 }
 
 // The contacts that push, as they become known (Lawson and Hanson, Solving Least Squares Problems, chapter 23).
-struct Search {
+struct PushSearch {
     Matrix matrix;
     std::vector<double> push;
     std::vector<std::size_t> chosen;
@@ -72,7 +72,7 @@ struct Search {
 };
 
 // The contact that lacks most of what it wants, or none.
-std::size_t most_lacking(Search const& search, std::vector<Push> const& pushes, double least) {
+std::size_t most_lacking(PushSearch const& search, std::vector<ContactPush> const& pushes, double least) {
     std::size_t const n = pushes.size();
     std::size_t found = n;
     for (std::size_t i = 0; i < n; ++i) {
@@ -87,7 +87,7 @@ std::size_t most_lacking(Search const& search, std::vector<Push> const& pushes, 
 }
 
 // Goes towards the solution of the chosen contacts as far as none pulls; answers whether it got there.
-bool approach(Search& search, std::vector<double> const& goal) {
+bool approach(PushSearch& search, std::vector<double> const& goal) {
     double share = 1;
     for (std::size_t k = 0; k < goal.size(); ++k) {
         double const now = search.push[search.chosen[k]];
@@ -110,11 +110,11 @@ bool approach(Search& search, std::vector<double> const& goal) {
 
 }  // namespace
 
-std::vector<double> least_pushes(std::vector<Push> const& pushes) {
+std::vector<double> least_pushes(std::vector<ContactPush> const& pushes) {
     std::size_t const n = pushes.size();
     double most = 0;
-    for (Push const& push : pushes) most = std::max(most, push.wanted);
-    Search search{responses(pushes), std::vector<double>(n, 0.0), {}, std::vector<char>(n, 0)};
+    for (ContactPush const& push : pushes) most = std::max(most, push.wanted);
+    PushSearch search{responses(pushes), std::vector<double>(n, 0.0), {}, std::vector<char>(n, 0)};
     for (std::size_t change = 0; change < most_changes * n; ++change) {
         std::size_t const next = most_lacking(search, pushes, rounding * most);
         if (next == n) break;

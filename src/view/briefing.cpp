@@ -12,7 +12,7 @@ namespace view {
 
 namespace {
 
-constexpr double whole_turn = 2 * 3.14159265358979;
+constexpr double full_circle = 2 * 3.14159265358979;
 
 // Letters with a rim, so that they can be read over anything.
 void add_rimmed(std::vector<Shape>& shapes, Label label, double rim, Colour const& paint) {
@@ -21,7 +21,7 @@ void add_rimmed(std::vector<Shape>& shapes, Label label, double rim, Colour cons
     label.colour = paint;
     int constexpr copies = 16;
     for (int i = 0; i < copies; ++i) {
-        double const angle = i * whole_turn / copies;
+        double const angle = i * full_circle / copies;
         label.at = at + rim * Vec2(std::cos(angle), std::sin(angle));
         shapes.emplace_back(label);
     }
@@ -148,7 +148,7 @@ std::vector<Shape> pulling_hand_shapes(Vec2 const& from, Vec2 const& way, double
         for (int i = 1; i < dots; ++i)
             shapes.emplace_back(
                 Disc{from + (tip - from) * i / dots, 3.2 * unit, palette::strain, palette::ink, 1 * unit, 0});
-        shapes.emplace_back(ArcStroke{tip, 9 * unit, 0, whole_turn, 3 * unit, palette::bright});
+        shapes.emplace_back(ArcStroke{tip, 9 * unit, 0, full_circle, 3 * unit, palette::bright});
     }
     add_hand(shapes, tip, (holds ? 42 : 46) * unit);
     return shapes;
@@ -176,8 +176,8 @@ std::vector<Shape> tilting_keys_shapes(double time, Vec2 const& size) {
 
 std::vector<Shape> grip_shapes(Vec2 const& centre, double radius, double unit) {
     double const ring = radius + 6 * unit;
-    return {ArcStroke{centre, ring, 0, whole_turn, 5 * unit, faded(palette::ink, 0.5f)},
-            ArcStroke{centre, ring, 0, whole_turn, 3 * unit, palette::bright}};
+    return {ArcStroke{centre, ring, 0, full_circle, 5 * unit, faded(palette::ink, 0.5f)},
+            ArcStroke{centre, ring, 0, full_circle, 3 * unit, palette::bright}};
 }
 
 std::vector<Shape> ghost_shapes(Vec2 const& centre, double radius, double angle) {

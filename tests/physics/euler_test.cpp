@@ -14,7 +14,7 @@ using geometry::Segment;
 
 namespace {
 
-constexpr double g = 9.81;
+constexpr double euler_g = 9.81;
 
 Ball disc_at(Vec2 const& place, Vec2 const& velocity = Vec2::Zero()) {
     Ball ball;
@@ -59,12 +59,12 @@ Scene slope(double angle, double friction) {
 
 }  // namespace
 
-TEST_CASE("euler: a flight is g h t / 2 ahead, half of it at twice the rate") {
+TEST_CASE("euler: a flight is euler_g h t / 2 ahead, half of it at twice the rate") {
     for (double const rate : {60.0, 120.0, 240.0, 480.0}) {
         State const state = state_after(scene_of({}, {disc_at({0, 0}, {1, 3})}), rate, 1);
         CHECK(state.position.x() == doctest::Approx(1).epsilon(1e-12));
-        CHECK(state.position.y() == doctest::Approx(3 - g / 2 - g / (2 * rate)).epsilon(1e-12));
-        CHECK(state.velocity.y() == doctest::Approx(3 - g).epsilon(1e-12));
+        CHECK(state.position.y() == doctest::Approx(3 - euler_g / 2 - euler_g / (2 * rate)).epsilon(1e-12));
+        CHECK(state.velocity.y() == doctest::Approx(3 - euler_g).epsilon(1e-12));
     }
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("euler: down a ramp the error falls with the step, rolling and sliding
     double const angle = 0.3, time = 2;
     for (double const friction : {0.9, 0.05}) {
         CAPTURE(friction);
-        double const a = friction > 0.5 ? g * std::sin(angle) / 1.5 : g * (std::sin(angle) - friction * std::cos(angle));
+        double const a = friction > 0.5 ? euler_g * std::sin(angle) / 1.5 : euler_g * (std::sin(angle) - friction * std::cos(angle));
         Vec2 const right = a * time * time / 2 * Vec2(std::cos(angle), -std::sin(angle)) +
                            0.5 * Vec2(std::sin(angle), std::cos(angle));
         double before = 0;

@@ -55,15 +55,15 @@ Scene scene_of(std::vector<Piece> pieces, std::vector<Ball> balls, std::vector<S
     return scene;
 }
 
-struct Run {
+struct SenseRun {
     World world;
     History history;
 };
 
 // In windows of `every` seconds, with a pull from 0.5 s to 1.7 s where there is a target.
-Run run_of(Method const& method, Scene const& scene, double until, double every,
+SenseRun run_of(Method const& method, Scene const& scene, double until, double every,
            std::optional<Vec2> const& target = std::nullopt) {
-    Run run;
+    SenseRun run;
     run.world = world_at_start(method, scene, run.history);
     auto const go_on = [&](double to) {
         while (run.world.time < to)
@@ -79,7 +79,7 @@ Run run_of(Method const& method, Scene const& scene, double until, double every,
     return run;
 }
 
-std::optional<double> time_of(Run const& run, int sensor = 0) {
+std::optional<double> time_of(SenseRun const& run, int sensor = 0) {
     for (Event const& event : run.history.events)
         if (event.kind == EventKind::sensor && event.other == sensor) return event.time;
     return std::nullopt;
@@ -137,7 +137,7 @@ TEST_CASE("a ball that rolls below a goal's edge does not enter it, however near
             Scene const scene = scene_of({floor_at(0)}, {ball_at({0, 0.5}, {5, 0}, -10)},
                                          {rectangle({3, 0.5 + below}, {45, 2}), rectangle({3, 0.5 - below}, {45, 2})});
             INFO(std::string(name_of(method)));
-            Run const run = run_of(method, scene, 10, 10);
+            SenseRun const run = run_of(method, scene, 10, 10);
             CHECK_FALSE(time_of(run, 0));
             // Entered from the side at 5 m/s; the article's rolling adds rounding alone.
             REQUIRE(time_of(run, 1));
@@ -177,7 +177,7 @@ TEST_CASE("at the start a ball in a region or on a line is noticed at 0, and out
     Scene const scene =
         scene_of({}, {ball_at({1, 1})}, {disc({1.5, 1}, 1), rectangle({0, 0}, {1, 1}), fence_line({0, 1}, {2, 1}), fence}, 0);
     for (Method const& method : all_methods) {
-        Run const run = run_of(method, scene, 1, 1);
+        SenseRun const run = run_of(method, scene, 1, 1);
         for (int sensor = 0; sensor < 4; ++sensor) CHECK(time_of(run, sensor) == 0.0);
     }
 }
@@ -188,7 +188,7 @@ TEST_CASE("a ball that runs round within a hair of a round region does not enter
         Scene const scene = bowl_with({disc({0, 0}, 1.5 - hair), disc({0, -1.5 - 0.3 - hair}, 0.3)}, 0);
         Scene start = scene;
         start.balls[0].start.position = {-1.5 * std::sin(0.4), -1.5 * std::cos(0.4)};
-        Run const run = run_of(Exact{}, start, 10, 10);
+        SenseRun const run = run_of(Exact{}, start, 10, 10);
         CHECK_FALSE(time_of(run, 0));
         CHECK_FALSE(time_of(run, 1));
     }
@@ -200,7 +200,7 @@ TEST_CASE("what a sensor notices is the first moment that its region holds the b
     for (int round = 0; round < 8; ++round) {
         Scene const scene = bowl_with(random_sensors(random, 24), round % 2 == 0 ? 0.9 : 0);
         for (Method const& method : {Method(Exact{}), Method(Steps{})}) {
-            Run const run = run_of(method, scene, until, until, Vec2(0.8 + 0.2 * round, 1));
+            SenseRun const run = run_of(method, scene, until, until, Vec2(0.8 + 0.2 * round, 1));
             for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
                 Sensor const& sensor = scene.sensors[i];
                 double const noticed = time_of(run, static_cast<int>(i)).value_or(never);
@@ -227,9 +227,9 @@ TEST_CASE("the same is noticed at the same times in the same order however often
         Scene const scene = bowl_with(random_sensors(random, 24), 0.9);
         for (Method const& method : all_methods) {
             Vec2 const target(0.8 + 0.2 * round, 1);
-            Run const once = run_of(method, scene, 3, 3, target);
+            SenseRun const once = run_of(method, scene, 3, 3, target);
             for (double const every : {1.0 / 60, 0.25, 1e-3}) {
-                Run const often = run_of(method, scene, 3, every, target);
+                SenseRun const often = run_of(method, scene, 3, every, target);
                 REQUIRE(often.history.events.size() == once.history.events.size());
                 for (std::size_t i = 0; i < once.history.events.size(); ++i) {
                     Event const &a = once.history.events[i], &b = often.history.events[i];
