@@ -138,13 +138,13 @@ class Window(ProgramTest):
 
     def test_looking_back_shows_the_past_and_leaves_the_run_as_it_was(self):
         self.open("software")
-        air = self.patch(TARGET)
         self.drag_the_ball()
+        empty = self.patch(START)
         self.pointer("keydown", "comma")
-        until(lambda: self.differs(air, TARGET), "the ball to be back at the pointer", self.game)
+        until(lambda: self.differs(empty, START), "the ball to be back where it began", self.game)
         self.pointer("keyup", "comma")
-        self.pointer("key", "--window", self.window, "space")
-        until(lambda: not self.differs(air, TARGET), "the present to return", self.game)
+        self.press_key("space")
+        until(lambda: not self.differs(empty, START), "the present to return", self.game)
         run = self.save()
         self.close()
         self.check_that_the_ball_followed(run)
