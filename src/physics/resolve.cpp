@@ -27,6 +27,8 @@ constexpr double least_depth = 1e-11;
 constexpr double hold_rounding = 1e-12;
 // Of a pull, the share against which a further contact bars the way: those of the ends of one wall differ by less.
 constexpr double barring = 1e-3;
+// What the caller knows to be touched lies within this of the ball's way, in m, or its place is another.
+constexpr double known_reach = 1e-6;
 // Normals nearer than this to opposite do not hold what lies between them.
 constexpr double opposite_normals = 4e-9;
 
@@ -417,8 +419,9 @@ Struck struck_at(Setting const& setting, State const& state, Contact known) {
                                    [&](Support const& s) { return s.contact == known; });
     if (known.feature >= 0 && !found && fits(setting.terrain, known, setting.ball.radius)) {
         Track const track = track_of(setting.terrain, known, setting.ball.radius);
-        Vec2 const normal = normal_at(track, nearest_coordinate(track, state.position));
-        struck.touched.push_back({known, normal, 0, track.straight ? 0 : track.sense / track.rho});
+        double const q = nearest_coordinate(track, state.position);
+        if (geometry::length(position_at(track, q) - state.position) < known_reach)
+            struck.touched.push_back({known, normal_at(track, q), 0, track.straight ? 0 : track.sense / track.rho});
     }
     choose_supports(setting, struck);
     // What rounding has left of a depth must not add up over many bounces.

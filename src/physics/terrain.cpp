@@ -16,7 +16,8 @@ double angle_of(Vec2 const& direction) { return geometry::arctangent(direction.y
 namespace {
 
 constexpr double exposed_slack = 1e-12;       // rounding of a unit vector's scalar product
-constexpr double flat_cone = 1e-10;           // rad, cones narrower than this are rounding of a flat joint
+// rad: over an edge narrower than this a ball dips by less than 1e-15 r, and the reach of touch is wider than the edge
+constexpr double flat_cone = 1e-7;
 
 void sort_spokes(Vertex& vertex) {
     std::stable_sort(vertex.spokes.begin(), vertex.spokes.end(),

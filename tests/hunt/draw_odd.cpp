@@ -194,4 +194,30 @@ std::vector<Vec2> draw_zero_g(Dice& dice, Sketch& sketch) {
     return hints;
 }
 
+namespace {
+
+Vec2 rounded(Vec2 const& place, double unit) {
+    return {std::round(place.x() / unit) * unit, std::round(place.y() / unit) * unit};
+}
+
+void round_off(Stroke& stroke, double unit) {
+    if (auto* line = std::get_if<Line>(&stroke)) *line = {rounded(line->from, unit), rounded(line->to, unit)};
+    if (auto* bow = std::get_if<Bow>(&stroke)) {
+        bow->from = rounded(bow->from, unit);
+        bow->to = rounded(bow->to, unit);
+    }
+}
+
+}  // namespace
+
+// As editors write them, with so many decimals: tangents agree by no more.
+std::vector<Vec2> draw_rounded(Dice& dice, Sketch& sketch) {
+    constexpr Drawing grounds[] = {draw_arcs, draw_stones, draw_lines};
+    grounds[dice.whole(0, 2)](dice, sketch);
+    double const unit = std::pow(10, -dice.whole(2, 12));
+    for (Element& element : sketch.elements)
+        for (Stroke& stroke : element.strokes) round_off(stroke, unit);
+    return {};
+}
+
 }  // namespace hunt

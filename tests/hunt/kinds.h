@@ -22,6 +22,7 @@ std::vector<Vec2> draw_gaps(Dice& dice, Sketch& sketch);
 std::vector<Vec2> draw_narrow(Dice& dice, Sketch& sketch);
 std::vector<Vec2> draw_twice(Dice& dice, Sketch& sketch);
 std::vector<Vec2> draw_zero_g(Dice& dice, Sketch& sketch);
+std::vector<Vec2> draw_rounded(Dice& dice, Sketch& sketch);
 
 struct Kind {
     char const* name;
