@@ -25,7 +25,7 @@ target_include_directories(house INTERFACE ${HOUSE}/src)
 target_compile_definitions(house INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
 target_compile_options(house INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic)
 # A local name may be that of a constant of another file: files are compiled together.
-target_compile_options(house INTERFACE $<IF:$<CXX_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow>)
+target_compile_options(house INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 # SDL wants it wherever it is included; precompiled headers are for those that define the same.
 target_compile_definitions(house INTERFACE _REENTRANT)
 # g++ 12 warns of strings and variants that it has itself copied wrongly while inlining (its bugs 105329, 105562, 105651).

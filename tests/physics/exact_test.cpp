@@ -32,7 +32,9 @@ bool same_bits(State const& a, State const& b) {
 // A course with a slope, an arc, a flat stretch, a step and a wall, and a ball that rolls, slips, flies and bounces.
 std::vector<Piece> course(double turn, Vec2 const& shift, double scale, double restitution) {
     auto const [s, c] = geometry::sine_cosine(turn);
-    auto const put = [&](double x, double y) -> Vec2 { return shift + scale * geometry::turned(Vec2(x, y), c, s); };
+    auto const put = [&, c = c, s = s](double x, double y) -> Vec2 {
+        return shift + scale * geometry::turned(Vec2(x, y), c, s);
+    };
     auto const segment = [&](double x1, double y1, double x2, double y2) {
         return Piece{Segment{put(x1, y1), put(x2, y2)}, {0.3, restitution, 0.01}, 0};
     };
