@@ -47,6 +47,7 @@ std::optional<Turnout> on_one(Setting const& setting, Support const& support, St
     rider.rim = -setting.ball.radius * state.spin;
     rider.angle = state.angle;
     if (!is_pressed(setting, rider)) return std::nullopt;
+    rider = held_by_full_grip(setting, rider);
     Law law;
     law.alpha = 1 / (1 + setting.ball.inertia);
     bool const slips = std::abs(rider.slip()) > creep_grip * (std::abs(rider.speed) + std::abs(rider.rim)) + least_slip;

@@ -216,7 +216,7 @@ void Painter::Body::add(view::Label const& label) {
     }
     // Letters stand on whole pixels up and down, which is sharpest, and on quarters sideways.
     double const base_x = std::floor(left), base_y = std::floor(label.at.y() + 0.5);
-    if (std::abs(base_x) > 1e6 || std::abs(base_y) > 1e6) return;
+    if (!(std::abs(base_x) <= 1e6 && std::abs(base_y) <= 1e6)) return;
     for (auto const& [glyph, pen] : line_of(label, left - base_x).glyphs) {
         if (glyph.width == 0 || glyph.height == 0) continue;
         double const x = base_x + pen + glyph.left, y = base_y + glyph.top;

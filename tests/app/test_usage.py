@@ -94,6 +94,10 @@ class Usage(ProgramTest):
                               says="there must be a ball; line 3: circle: class bal is a letter away from ball")
 
     def test_a_thread_that_cannot_be_started_is_one_line(self):
+        with open(BINARY, "rb") as binary:
+            is_sanitized = b"__asan_init" in binary.read()
+        if is_sanitized:
+            self.skipTest("the address sanitizer wants terabytes of addresses for itself")
         # So little that some threads of eight megabytes of stack fit and not all of 256.
         def little_memory():
             import resource
