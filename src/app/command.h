@@ -9,7 +9,7 @@
 
 namespace app {
 
-// The exit statuses of formats.md section 1.
+// The exit statuses of docs/command-line.md.
 inline constexpr int done = 0;
 inline constexpr int failed = 1;
 inline constexpr int wrong_usage = 2;

@@ -8,7 +8,7 @@ namespace app {
 
 namespace {
 
-constexpr double default_duration = 10;  // s, formats.md section 1
+constexpr double default_duration = 10;  // s, docs/command-line.md
 
 // What the command line leaves open the run decides. A tolerance that is asked for weighs more than the rate that a run
 // was made with.

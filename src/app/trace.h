@@ -1,4 +1,4 @@
-// A trace: balls at times, or events, as CSV or JSON on standard output (formats.md section 5).
+// A trace: balls at times, or events, as CSV or JSON on standard output (docs/runs-and-traces.md).
 #pragma once
 
 #include <string_view>

@@ -13,7 +13,7 @@ namespace game {
 
 using geometry::Vec2;
 
-// What the player does at one moment (formats.md section 4).
+// What the player does at one moment (docs/runs-and-traces.md).
 struct Grab {
     int ball = 0;
     Vec2 pointer = Vec2::Zero();  // m

@@ -22,7 +22,7 @@ struct MethodWish {
     std::optional<double> tolerance = {};  // m, the deepest error wanted; none = the method's own
 };
 
-// Whether formats.md knows a method of this name, "auto" included.
+// Whether docs/command-line.md knows a method of this name, "auto" included.
 bool is_method_name(std::string const& name);
 
 // Why no method of that name can be had, or nothing when it can.

@@ -1,4 +1,4 @@
-// Run files: a level and what the player did, as JSON (formats.md section 4).
+// Run files: a level and what the player did, as JSON (docs/runs-and-traces.md).
 #pragma once
 
 #include <string>

@@ -70,7 +70,7 @@ physics::Forces const& forces_at(Session const& session, double time);
 // What the rules say at a time, later events left out.
 Status status_at(Session const& session, double time);
 
-// FNV-1a of the state of all balls (formats.md section 4), 16 hex digits.
+// FNV-1a of the state of all balls (docs/runs-and-traces.md), 16 hex digits.
 std::string state_hash(std::vector<physics::State> const& balls);
 std::string state_hash(Session const& session, double time);
 

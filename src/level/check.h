@@ -5,7 +5,7 @@
 
 namespace level {
 
-inline constexpr double widest_gap = 1e-3;  // m, formats.md: ends that look joined and are not
+inline constexpr double widest_gap = 1e-3;  // m, docs/levels.md: ends that look joined and are not
 inline constexpr double largest_break = 2 * 3.14159265358979323846 / 180;  // rad, turns that look smooth and are not
 
 // Adds warnings to the report: gaps, tangent breaks, arcs tighter than a ball, balls inside terrain or out of the page.

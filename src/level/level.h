@@ -82,7 +82,7 @@ struct Level {
     std::vector<Finding> misspellings;       // classes a letter away from a role, of which every command warns
 };
 
-// Throws std::runtime_error("file:line: element: what") for the first fault (formats.md section 3).
+// Throws std::runtime_error("file:line: element: what") for the first fault (docs/levels.md).
 Level read_level(std::string const& file);
 
 // Every fault that can be reached, then what is legal but suspicious; in order of lines.

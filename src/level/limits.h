@@ -1,4 +1,4 @@
-// How large a level may be, and how near is the same place (formats.md section 3).
+// How large a level may be, and how near is the same place (docs/levels.md).
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 namespace level {
 
-inline constexpr double roundness = 1e-3;  // of the radius, formats.md section 3: how far a circle may be from one
+inline constexpr double roundness = 1e-3;  // of the radius, docs/levels.md: how far a circle may be from one
 
 // The disc in the world that a shape is; none where it is no circle. Throws Broken where it is one of no size or
 // beyond the limits.

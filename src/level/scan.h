@@ -8,7 +8,7 @@
 
 namespace level {
 
-inline constexpr int most_elements = 100'000;      // formats.md section 3
+inline constexpr int most_elements = 100'000;      // docs/levels.md
 inline constexpr int most_attributes = 1'000'000;  // of all elements together, which else take ten times the file
 
 struct Objection {

@@ -7,7 +7,7 @@
 
 namespace level {
 
-inline constexpr std::size_t largest_file = 64'000'000;  // bytes, formats.md section 3
+inline constexpr std::size_t largest_file = 64'000'000;  // bytes, docs/levels.md
 
 // Stops reading beyond largest_file. Throws std::runtime_error("file: cannot be read: why").
 std::string bytes_of(std::string const& file);

@@ -7,7 +7,7 @@
 
 namespace level {
 
-inline constexpr double touching = 1e-9;        // m, formats.md section 3: nearer than this is contact, not overlap
+inline constexpr double touching = 1e-9;        // m, docs/levels.md: nearer than this is contact, not overlap
 inline constexpr double slight_overlap = 0.05;  // of the radius, the smaller one of two balls
 
 struct Overlap {

@@ -9,7 +9,7 @@
 
 namespace physics {
 
-// Nearer than this a ball touches: what it closes on it meets at once, what it leaves it has left. m, formats.md 3.
+// Nearer than this a ball touches: what it closes on it meets at once, what it leaves it has left. m, docs/levels.md.
 inline constexpr double touch_reach = 1e-9;
 
 // Rates of a gap below this share of the speeds, and its second derivatives below this share of the accelerations, are

@@ -46,7 +46,7 @@ inline double within_grip(double wanted, double friction, double normal_impulse)
     return std::clamp(wanted, -most, most);
 }
 
-// Ball against ball (formats.md section 3).
+// Ball against ball (docs/levels.md).
 double friction_between(Ball const& a, Ball const& b);
 double restitution_between(Ball const& a, Ball const& b);
 

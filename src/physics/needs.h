@@ -1,4 +1,4 @@
-// Needs: what a scene asks of a method, and the simplest method that can give it (architecture.md 4).
+// Needs: what a scene asks of a method, and the simplest method that can give it.
 #pragma once
 
 #include <string>

@@ -30,7 +30,7 @@ struct Sensor {
     bool each_ball = false;  // it fires once for every ball, else once in all
 };
 
-// The spring by which a ball is dragged (formats.md section 4).
+// The spring by which a ball is dragged (docs/runs-and-traces.md).
 struct DragSpring {
     double frequency = 3;  // Hz, undamped
     double damping = 0.7;  // of critical

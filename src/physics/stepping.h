@@ -36,7 +36,7 @@ struct Standing {
     Contact contact;
 };
 
-// A ball at its start: on the surface that it touches (to 1e-9 m, formats.md section 3) and is pressed upon hardest.
+// A ball at its start: on the surface that it touches (to 1e-9 m, docs/levels.md) and is pressed upon hardest.
 Standing standing_at_start(Scene const& scene, Ball const& ball);
 
 // Ends the ball's leg at the clock's present time if it began earlier, so that the next chord spans one step only.

@@ -55,9 +55,9 @@ struct Terrain {
 };
 
 // Ends within `vertex_reach` of each other become one vertex, and chains of such ends too: terrain_merge.h.
-inline constexpr double vertex_reach = 1e-6;  // m, formats.md section 3
+inline constexpr double vertex_reach = 1e-6;  // m, docs/levels.md
 // Turns of the tangent below this are joints, at which the speed is kept; above it they are corners.
-inline constexpr double joint_turn = 1e-3;  // rad, formats.md section 3
+inline constexpr double joint_turn = 1e-3;  // rad, docs/levels.md
 
 Terrain terrain_of(std::vector<Piece> drawn);
 

@@ -30,7 +30,7 @@ inline constexpr double least_zoom = 0.5, greatest_zoom = 8;
 // How much of the past, in seconds, a history must still know for camera_at and moment_at to answer.
 inline constexpr double camera_memory = 2.5;
 
-// A level of at most this size is shown whole (formats.md section 1); of a larger one so much is shown as suits the
+// A level of at most this size is shown whole (docs/command-line.md); of a larger one so much is shown as suits the
 // ball: this much where its radius is between a quarter and three fifths of a metre.
 inline constexpr double whole_width = 16, whole_height = 9;  // m
 

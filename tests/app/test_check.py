@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""smb2d check: every fault and every suspicion, a line each, with file and line (formats.md section 3)."""
+"""smb2d check: every fault and every suspicion, a line each, with file and line (docs/levels.md)."""
 
 import re
 

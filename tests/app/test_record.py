@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Videos without a display: whole, playable, honest when cut short (formats.md section 1)."""
+"""Videos without a display: whole, playable, honest when cut short (docs/command-line.md)."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Picture sequences without a display: names, sizes, counts, bytes (formats.md section 1)."""
+"""Picture sequences without a display: names, sizes, counts, bytes (docs/command-line.md)."""
 
 import signal
 import struct

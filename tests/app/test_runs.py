@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Run files: what verify accepts and finds, and which runs are refused (formats.md section 4)."""
+"""Run files: what verify accepts and finds, and which runs are refused (docs/runs-and-traces.md)."""
 
 import csv
 import io

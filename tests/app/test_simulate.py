@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Traces: grid, names, formats and a few numbers that are known (formats.md sections 1 and 5)."""
+"""Traces: grid, names, formats and a few numbers that are known (docs/command-line.md, docs/runs-and-traces.md)."""
 
 import csv
 import io

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Exit statuses and the one line that goes with each failure, whatever the subcommand (formats.md section 1)."""
+"""Exit statuses and the one line that goes with each failure, whatever the subcommand (docs/command-line.md)."""
 
 import subprocess
 
