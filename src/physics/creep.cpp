@@ -117,4 +117,14 @@ Turnout creeping(Setting const& setting, State const& state, double time) {
     return turnout;
 }
 
+Turnout jammed(State const& state, Contact contact, double time) {
+    State still = state;
+    still.velocity = Vec2::Zero();
+    still.spin = 0;
+    Turnout turnout;
+    turnout.course = standing_course(still, contact, 0, time);
+    turnout.happenings.push_back({EventKind::rest, contact});
+    return turnout;
+}
+
 }  // namespace physics

@@ -165,10 +165,22 @@ private:
         return ++outlook.stall_count > stall_events;
     }
 
+    // Whether creeping takes it nowhere either.
+    bool jams(int i) {
+        Outlook& outlook = world_.outlooks[i];
+        if (world_.time - outlook.creep_since > watch_span) {
+            outlook.creep_since = world_.time;
+            outlook.creep_count = 0;
+        }
+        return ++outlook.creep_count > creep_events;
+    }
+
     bool end_leg(int i) {
         if (!alone_ && !watched(i)) return false;
         if (alone_ && stalls(i)) {
-            take(i, creeping(setting(i), at_span(world_.legs[i], world_.outlooks[i].duration), world_.time), world_.time);
+            State const state = at_span(world_.legs[i], world_.outlooks[i].duration);
+            take(i, jams(i) ? jammed(state, world_.legs[i].contact, world_.time) : creeping(setting(i), state, world_.time),
+                 world_.time);
             return true;
         }
         bool const same_motion = world_.outlooks[i].ending == Ending::goes_on && world_.legs[i].phase == Phase::flight;

@@ -21,6 +21,7 @@ inline constexpr int crowd_events = 50;
 inline constexpr double most_summed = 0.9999;  // restitution: above it a sum of bounces counts as endless
 inline constexpr double stall_span = 1e-10;  // s
 inline constexpr int stall_events = 40;
+inline constexpr int creep_events = 50;  // more within watch_span, and the ball stands until the forces change
 
 void begin_with(Exact const&, Scene const& scene, World& world, History& history);
 void advance_with(Exact const&, Scene const& scene, World& world, double until, History& history);

@@ -42,6 +42,8 @@ struct Outlook {
     bool watch_elastic = false;  // one of them loses all but nothing
     double stall_since = 0;  // s, the same
     int stall_count = 0;
+    double creep_since = 0;  // s, the same of creeping
+    int creep_count = 0;
 };
 
 }  // namespace physics

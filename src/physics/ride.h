@@ -37,6 +37,9 @@ Turnout resolved(Setting const& setting, State const& state, double time, Contac
 inline constexpr double creep_stray = 1e-11;  // m
 Turnout creeping(Setting const& setting, State const& state, double time);
 
+// Standing where it is, whatever pulls.
+Turnout jammed(State const& state, Contact contact, double time);
+
 // The same ball at `time` in the middle of a leg, after the field has changed.
 Turnout under_new_field(Setting const& setting, Leg const& leg, Outlook const& outlook, double time);
 
