@@ -198,6 +198,21 @@ Session rewound(Session const& session, double time) {
     return earlier;
 }
 
+Session without_past(Session const& session) {
+    Session bare;
+    bare.level = session.level;
+    bare.method = session.method;
+    bare.world = session.world;
+    bare.history.from = session.world.time;
+    for (physics::Leg const& leg : session.world.legs) bare.history.legs.push_back({leg});
+    bare.forces.push_back({session.world.time, session.world.forces});
+    bare.noticed_at = session.noticed_at;
+    bare.pulled_at = session.pulled_at;
+    bare.goal_time = session.goal_time;
+    bare.fall_time = session.fall_time;
+    return bare;
+}
+
 void forget_before(Session& session, double time) {
     physics::forget_before(session.history, time);
     while (session.forces.size() > 1 && session.forces[1].time <= time) session.forces.pop_front();

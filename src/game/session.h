@@ -61,6 +61,9 @@ void advance_held(Session& session, double from, double until, Pointer const& po
 // The same game as it was at a time before world.time, with the inputs up to then and none to come.
 Session rewound(Session const& session, double time);
 
+// The same game as much as rules and methods need to go on from here: without past and inputs.
+Session without_past(Session const& session);
+
 // Drops legs, events and forces that are not needed to answer from `time` on.
 void forget_before(Session& session, double time);
 

@@ -112,7 +112,23 @@ Law limited_roll_law(Setting const& setting, Material const& material, double si
     return law;
 }
 
-constexpr double spent_share = 1e-13;  // of the radius
+// Displacements below this share of the radius, and the speeds that would reach no farther on the spring, are rounding.
+constexpr double spent_share = 1e-13;
+
+// A ball on the spring that neither moves nor is driven by more than rounding rests until the pull changes: what is left
+// takes it nowhere, and would slip and grip for ever.
+bool is_spent(Setting const& setting, Rider const& rider) {
+    if (!setting.field.pulled) return false;
+    double const reach = spent_share * setting.ball.radius, stiffness = setting.field.spring.stiffness;
+    double const fastest = std::max(std::abs(rider.speed), std::abs(rider.rim));
+    return fastest <= reach * std::sqrt(stiffness) && std::abs(tangent_acceleration(setting, rider)) <= reach * stiffness;
+}
+
+Law rest_law() {
+    Law law;
+    law.phase = Phase::rest;
+    return law;
+}
 
 double sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
@@ -133,22 +149,9 @@ bool is_pressed(Setting const& setting, Rider const& rider) {
     return normal_force_of(push, rider) > level_share * geometry::length(push.field);
 }
 
-// A ball on the spring that neither moves nor is driven by more than rounding rests until the pull changes: what is left
-// takes it nowhere, and would slip and grip for ever.
-bool is_spent(Setting const& setting, Rider const& rider) {
-    if (!setting.field.pulled) return false;
-    double const reach = spent_share * setting.ball.radius, stiffness = setting.field.spring.stiffness;
-    double const fastest = std::max(std::abs(rider.speed), std::abs(rider.rim));
-    return fastest <= reach * std::sqrt(stiffness) && std::abs(tangent_acceleration(setting, rider)) <= reach * stiffness;
-}
-
 Law law_for(Setting const& setting, Rider const& rider, Onset onset) {
     Material const& material = material_of(setting.terrain, rider.contact.feature);
-    if (is_spent(setting, rider)) {
-        Law rest;
-        rest.phase = Phase::rest;
-        return rest;
-    }
+    if (is_spent(setting, rider)) return rest_law();
     if (onset == Onset::slipping_forwards) return slide_law(setting, material, 1);
     if (onset == Onset::slipping_backwards) return slide_law(setting, material, -1);
     if (rider.slip() != 0) return slide_law(setting, material, sign_of(rider.slip()));
@@ -157,11 +160,8 @@ Law law_for(Setting const& setting, Rider const& rider, Onset onset) {
     double const force = normal_force(setting, rider);
     double const c = material.rolling_resistance;
     // At rest friction alone holds against the pull, and its couple is at most that of the resistance.
-    if (rider.speed == 0 && std::abs(a) <= std::min(c, material.friction) * force) {
-        Law rest;
-        rest.phase = Phase::rest;
-        return rest;
-    }
+    if (rider.speed == 0 && std::abs(a) <= std::min(c, material.friction) * force)
+        return rest_law();
     double const way = rider.speed != 0 ? sign_of(rider.speed) : sign_of(a);
     if (std::isinf(material.friction))
         return c > 0 ? resisted_roll_law(setting, material, way) : free_roll_law(setting, material);

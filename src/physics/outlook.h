@@ -37,9 +37,9 @@ struct Outlook {
 
     double watch_since = 0;  // s, events are counted from here
     int watch_count = 0;
-    Contact watch_contact;     // the first that was met, and whether
-    bool watch_mixed = false;  // others were
-    bool watch_elastic = false;  // one of them loses all but nothing
+    Contact watch_contact;       // the first that was met, and whether
+    bool watch_mixed = false;    // others were, or
+    bool watch_elastic = false;  // one that loses all but nothing
     double stall_since = 0;  // s, the same
     int stall_count = 0;
     double creep_since = 0;  // s, the same of creeping

@@ -89,6 +89,17 @@ double fastest(Run const& run) {
     return most;
 }
 
+double highest_when_unloaded(Run& run) {
+    run.to(2);
+    run.pull(1, {0, 6});
+    double highest = 0;
+    for (int i = 0; i < 60; ++i) {
+        run.to(2 + i / 60.0);
+        highest = std::max(highest, run.state(0).position.y());
+    }
+    return highest;
+}
+
 Vec2 momentum_of(Run const& run) {
     Vec2 sum = Vec2::Zero();
     for (std::size_t i = 0; i < run.scene.balls.size(); ++i)

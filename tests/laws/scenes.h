@@ -68,6 +68,9 @@ physics::State state_after(physics::Method const& method, physics::Scene const& 
 double deepest_overlap(Run const& run);
 double fastest(Run const& run);
 
+// How high the centre of ball 0 comes, m, in the second after ball 1, which has pressed it for 2 s, is pulled off it.
+double highest_when_unloaded(Run& run);
+
 // The sum of mass times velocity, kg m/s.
 Vec2 momentum_of(Run const& run);
 

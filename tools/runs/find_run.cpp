@@ -36,21 +36,6 @@ struct Node {
 // Where nodes are alike, the earlier one is kept.
 using Cell = std::tuple<int, int, bool, int, int, int, int>;
 
-Session without_past(Session const& session) {
-    Session bare;
-    bare.level = session.level;
-    bare.method = session.method;
-    bare.world = session.world;
-    bare.history.from = session.world.time;
-    for (physics::Leg const& leg : session.world.legs) bare.history.legs.push_back({leg});
-    bare.forces.push_back({session.world.time, session.world.forces});
-    bare.noticed_at = session.noticed_at;
-    bare.pulled_at = session.pulled_at;
-    bare.goal_time = session.goal_time;
-    bare.fall_time = session.fall_time;
-    return bare;
-}
-
 class Search {
 public:
     Search(std::shared_ptr<level::Level const> level, unsigned seed)
