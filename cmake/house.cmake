@@ -53,7 +53,7 @@ endfunction()
 
 # A floor of the house: the folder src/NAME as a static library that may include the floors named after it.
 function(add_floor name)
-    file(GLOB sources CONFIGURE_DEPENDS ${HOUSE}/src/${name}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${HOUSE}/src/${name}/*.cpp)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC house ${ARGN})
     if(name STREQUAL "geometry")

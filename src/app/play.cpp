@@ -77,7 +77,7 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
         stop_if_interrupted();
         SDL_Event event;
         while (SDL_PollEvent(&event) != 0)
-            if (listen(event, game, tour, window) == Wish::quit) return;
+            if (listen(event, game, tour, window) == KeyCommand::quit) return;
         fit(game, window);
         double const now = seconds_now();
         double const elapsed = now - last;

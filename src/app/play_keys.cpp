@@ -109,11 +109,11 @@ std::size_t first_unfinished(Tour const& tour) {
 }
 
 // Under the title nearly every key starts the game.
-Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+KeyCommand listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
     bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
-    if (!clicked && (event.type != SDL_KEYDOWN || event.key.repeat != 0)) return Wish::stay;
+    if (!clicked && (event.type != SDL_KEYDOWN || event.key.repeat != 0)) return KeyCommand::stay;
     SDL_Keycode const key = clicked ? SDLK_RETURN : event.key.keysym.sym;
-    if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return Wish::quit;
+    if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return KeyCommand::quit;
     if (key == SDLK_F1 || key == SDLK_ESCAPE)
         game.help = !game.help;
     else if (key == SDLK_l)
@@ -122,7 +122,7 @@ Wish listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen:
         window.toggle_fullscreen();
     else
         go_to_level(game, tour, first_unfinished(tour), window);
-    return Wish::stay;
+    return KeyCommand::stay;
 }
 
 // Which way the keys that are down now tilt the stage.
@@ -135,12 +135,12 @@ int lean_of_keys() {
 
 Hurry hurry_of_keys() { return (SDL_GetModState() & KMOD_SHIFT) != 0 ? Hurry::fast : Hurry::calm; }
 
-Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& window) {
+KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& window) {
     switch (key) {
         case SDLK_q:
-            return Wish::quit;
+            return KeyCommand::quit;
         case SDLK_ESCAPE:
-            if (!game.help) return Wish::quit;
+            if (!game.help) return KeyCommand::quit;
             game.help = false;
             break;
         case SDLK_F1:
@@ -200,7 +200,7 @@ Wish press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& wind
         default:
             break;
     }
-    return Wish::stay;
+    return KeyCommand::stay;
 }
 
 }  // namespace
@@ -241,13 +241,13 @@ void scrub_by_keys(PlayGame& game, double elapsed) {
     scrub(game, is_down(SDLK_PERIOD) - is_down(SDLK_COMMA), hurry_of_keys(), elapsed);
 }
 
-Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
-    if (tour.picker && listen_on_picker(event, game, tour, window)) return Wish::stay;
+KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (tour.picker && listen_on_picker(event, game, tour, window)) return KeyCommand::stay;
     switch (event.type) {
         case SDL_QUIT:
-            return Wish::quit;
+            return KeyCommand::quit;
         case SDL_WINDOWEVENT:
-            if (event.window.event == SDL_WINDOWEVENT_CLOSE) return Wish::quit;
+            if (event.window.event == SDL_WINDOWEVENT_CLOSE) return KeyCommand::quit;
             if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
                 lose_focus(game);
                 window.release_pointer();
@@ -257,8 +257,8 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
             if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
             game.lean = lean_of_keys();
             // Alt-Tab is the desktop's, and a key that is held down repeats single steps alone.
-            if ((event.key.keysym.mod & KMOD_ALT) != 0) return Wish::stay;
-            if (event.key.repeat != 0 && event.key.keysym.sym != SDLK_n) return Wish::stay;
+            if ((event.key.keysym.mod & KMOD_ALT) != 0) return KeyCommand::stay;
+            if (event.key.repeat != 0 && event.key.keysym.sym != SDLK_n) return KeyCommand::stay;
             return press_key(event.key.keysym.sym, game, tour, window);
         case SDL_KEYUP:
             game.lean = lean_of_keys();
@@ -296,7 +296,7 @@ Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& 
         default:
             break;
     }
-    return Wish::stay;
+    return KeyCommand::stay;
 }
 
 }  // namespace app

@@ -25,10 +25,10 @@ Tour tour_from(std::string const& file);
 // where there is none.
 Tour tour_of_folder(std::string const& folder);
 
-enum class Wish { stay, quit };
+enum class KeyCommand { stay, quit };
 
 // What one event means for the game and its window.
-Wish listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
+KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
 
 // Moves through the past while comma or period is held down.
 void scrub_by_keys(PlayGame& game, double elapsed);

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "app/play_game.h"
-#include "game/glimpse.h"
+#include "game/what_if.h"
 #include "view/briefing.h"
 #include "view/hud.h"
 
@@ -50,21 +50,21 @@ std::string badge_of(PlayGame const& game) {
 constexpr std::size_t most_foreseen_balls = 8;
 constexpr double foreseen = 1.6;  // s
 
-view::Foresight foresight_of(PlayGame const& game, view::Premise premise, physics::History const& coming) {
+view::TrajectoryPreview trajectory_preview(PlayGame const& game, view::Premise premise, physics::History const& coming) {
     physics::Pull const& pull = *game.session.world.forces.pull;
-    view::Foresight foresight =
-        view::foresight_of(coming, game.stage->level.scene, pull.ball, shown_time(game), foreseen);
-    foresight.premise = premise;
-    return foresight;
+    view::TrajectoryPreview preview =
+        view::trajectory_preview(coming, game.stage->level.scene, pull.ball, shown_time(game), foreseen);
+    preview.premise = premise;
+    return preview;
 }
 
 // While the player aims: where the spring takes the ball, and where it flies when it is let go now.
-std::vector<view::Foresight> coming_of(PlayGame const& game) {
+std::vector<view::TrajectoryPreview> coming_of(PlayGame const& game) {
     if (!game.held || !game.session.world.forces.pull) return {};
     if (game.stage->level.scene.balls.size() > most_foreseen_balls) return {};
     Vec2 const pointer = view::world_of(camera_of(game), *game.held);
-    return {foresight_of(game, view::Premise::held, game::glimpse_held(game.session, pointer, foreseen)),
-            foresight_of(game, view::Premise::let_go, game::glimpse(game.session, game::Release{}, foreseen))};
+    return {trajectory_preview(game, view::Premise::held, game::what_if_held(game.session, pointer, foreseen)),
+            trajectory_preview(game, view::Premise::let_go, game::what_if(game.session, game::Release{}, foreseen))};
 }
 
 view::Moment moment_of(PlayGame const& game) {

@@ -51,13 +51,13 @@ screen::VideoSettings settings_for(Sequence const& sequence) {
     return settings;
 }
 
-Craft craft_for(screen::Video& video, Size const& size) {
-    Craft craft;
-    craft.make = [](long long, screen::Pixels const& pixels) { return screen::yuv420_of(pixels).bytes; };
-    craft.deliver = [&video, size](std::vector<std::uint8_t> bytes) {
+FrameJob craft_for(screen::Video& video, Size const& size) {
+    FrameJob job;
+    job.make = [](long long, screen::Pixels const& pixels) { return screen::yuv420_of(pixels).bytes; };
+    job.deliver = [&video, size](std::vector<std::uint8_t> bytes) {
         video.add(screen::Yuv420{size.width, size.height, std::move(bytes)});
     };
-    return craft;
+    return job;
 }
 
 // What was recorded before a failure is named, unless the failure names it already.
@@ -75,7 +75,7 @@ int record(SequenceOptions const& options) {
     make_way_for(options.output, options.overwrite);
     screen::Video video(options.output, settings);
     try {
-        craft_frames(sequence, craft_for(video, sequence.size));
+        make_frames(sequence, craft_for(video, sequence.size));
         video.finish();
     } catch (Interrupted const& interruption) {
         throw Interrupted(with_part(interruption.what(), video));

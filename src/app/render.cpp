@@ -64,14 +64,14 @@ void render_files(RenderOptions const& options, Sequence& sequence, FrameNames c
     if (!names.has_number() && sequence.count > 1)
         throw UsageError("--output needs a number such as %05d for " + std::to_string(sequence.count) + " frames");
     if (!options.sequence.overwrite) expect_unused(names, first, sequence.count);
-    Craft craft;
-    craft.make = [&](long long frame, screen::Pixels const& pixels) -> std::vector<std::uint8_t> {
+    FrameJob job;
+    job.make = [&](long long frame, screen::Pixels const& pixels) -> std::vector<std::uint8_t> {
         std::string const name = names.name_of(first + frame);
         make_folder_of(name);
         screen::write_png(name, pixels);
         return {};
     };
-    craft_frames(sequence, craft);
+    make_frames(sequence, job);
 }
 
 std::vector<std::uint8_t> rgb_of(screen::Pixels const& pixels) {
@@ -83,12 +83,12 @@ std::vector<std::uint8_t> rgb_of(screen::Pixels const& pixels) {
 }
 
 void render_raw(Sequence& sequence) {
-    Craft craft;
-    craft.make = [](long long, screen::Pixels const& pixels) { return rgb_of(pixels); };
-    craft.deliver = [](std::vector<std::uint8_t> const& rgb) {
+    FrameJob job;
+    job.make = [](long long, screen::Pixels const& pixels) { return rgb_of(pixels); };
+    job.deliver = [](std::vector<std::uint8_t> const& rgb) {
         write_to_stdout({reinterpret_cast<char const*>(rgb.data()), rgb.size()});
     };
-    craft_frames(sequence, craft);
+    make_frames(sequence, job);
 }
 
 int render(RenderOptions const& options) {

@@ -6,8 +6,8 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
-#include "app/stretch.h"
-#include "app/workshop.h"
+#include "app/chunked_advance.h"
+#include "app/frame_workers.h"
 
 namespace app {
 
@@ -38,7 +38,7 @@ long long count_of(Sequence const& sequence, game::Fraction const& to, std::stri
 FrameOrder order_for(Sequence& sequence, long long frame) {
     game::Session& session = sequence.session;
     double const time = game::frame_time(sequence.from, frame, sequence.rate);
-    advance_in_stretches(session, time, view::camera_memory);
+    advance_in_chunks(session, time, view::camera_memory);
     game::forget_before(session, std::max(0.0, time - view::camera_memory));
     FrameOrder order;
     order.frame = frame;
@@ -88,18 +88,18 @@ Sequence sequence_for(SequenceOptions const& options) {
     return sequence;
 }
 
-void craft_frames(Sequence& sequence, Craft const& craft) {
+void make_frames(Sequence& sequence, FrameJob const& job) {
     Progress progress(sequence.count, sequence.quiet ? Progress::Bar::never : Progress::Bar::on_terminal);
-    Workshop workshop(sequence.stage, sequence.overlays, craft, sequence.jobs);
+    FrameWorkers frame_workers(sequence.stage, sequence.overlays, job, sequence.jobs);
     for (long long frame = 0; frame < sequence.count; ++frame) {
         stop_if_interrupted();
-        workshop.take(order_for(sequence, frame));
-        progress.show(workshop.finished());
+        frame_workers.take(order_for(sequence, frame));
+        progress.show(frame_workers.finished());
     }
-    workshop.close();
-    while (workshop.finished() < sequence.count) {
-        workshop.wait_a_little();
-        progress.show(workshop.finished());
+    frame_workers.close();
+    while (frame_workers.finished() < sequence.count) {
+        frame_workers.wait_a_little();
+        progress.show(frame_workers.finished());
     }
 }
 

@@ -41,13 +41,13 @@ struct Sequence {
 Sequence sequence_for(SequenceOptions const& options);
 
 // What becomes of a frame: `make` runs on many threads at once, `deliver` on one at a time, in order of the frames.
-struct Craft {
+struct FrameJob {
     std::function<std::vector<std::uint8_t>(long long frame, screen::Pixels const& pixels)> make;
     std::function<void(std::vector<std::uint8_t> product)> deliver;  // empty: nothing is left to do in order
 };
 
 // Every frame of the sequence, with progress on a terminal. Throws what the first failing frame threw; frames
 // delivered before stay.
-void craft_frames(Sequence& sequence, Craft const& craft);
+void make_frames(Sequence& sequence, FrameJob const& job);
 
 }  // namespace app

@@ -6,7 +6,7 @@
 #include "app/interrupt.h"
 #include "app/opening.h"
 #include "app/options.h"
-#include "app/stretch.h"
+#include "app/chunked_advance.h"
 #include "app/trace.h"
 
 namespace app {
@@ -34,7 +34,7 @@ void print_rows(game::Session& session, game::Fraction const& every, double to, 
     for (long long i = 0;; ++i) {
         double const time = game::multiple(i, every);
         if (!(time <= to)) break;
-        advance_in_stretches(session, time);
+        advance_in_chunks(session, time);
         trace.add_balls(session, time);
         game::forget_before(session, time);
     }

@@ -7,7 +7,7 @@
 #include "app/opening.h"
 #include "app/options.h"
 #include "app/output.h"
-#include "app/stretch.h"
+#include "app/chunked_advance.h"
 
 namespace app {
 
@@ -34,7 +34,7 @@ std::vector<std::string> differences_in(Opened const& opened, game::MethodWish c
     if (end != run.final->time)
         differences.push_back(difference("time", seventeen_digits(run.final->time), seventeen_digits(end)));
     if (!run.final->state_hash) return differences;
-    advance_in_stretches(session, end);
+    advance_in_chunks(session, end);
     expect_tolerance_kept(opened.file, session);
     std::string const hash = game::state_hash(session, end);
     if (hash != *run.final->state_hash) differences.push_back(difference("state_hash", *run.final->state_hash, hash));

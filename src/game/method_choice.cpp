@@ -6,7 +6,7 @@
 
 #include "game/tolerance.h"
 #include "physics/advice.h"
-#include "physics/exact.h"
+#include "physics/exact/exact.h"
 
 namespace game {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "physics/overlap.h"
+#include "physics/world/overlap.h"
 
 namespace game {
 

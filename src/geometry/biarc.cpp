@@ -53,7 +53,7 @@ struct Ellipse {
 // The arc that leaves `from` along the unit `tangent` and ends in `to`.
 Curve tangent_arc(Vec2 const& from, Vec2 const& tangent, Vec2 const& to) {
     Vec2 const chord = to - from;
-    double const across = wedge(tangent, chord);
+    double const across = cross(tangent, chord);
     double const reach = dot(chord, chord);
     if (std::abs(across) * 2 * straight_ratio <= std::sqrt(reach)) return Segment{from, to};
     double const signed_radius = reach / (2 * across);
@@ -79,7 +79,7 @@ double distance_to_whole(Curve const& curve, Vec2 const& point) {
     if (auto const* arc = std::get_if<Arc>(&curve)) return std::abs(length(point - arc->centre) - arc->radius);
     auto const& segment = std::get<Segment>(curve);
     Vec2 const way = segment.end - segment.start;
-    return std::abs(wedge(way, point - segment.start)) / length(way);
+    return std::abs(cross(way, point - segment.start)) / length(way);
 }
 
 // Whether the samples lie near the pair, each near the arc on its side of the joint. What fails does so early, in the
@@ -173,12 +173,12 @@ std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2,
     double const size = length(longest);
     if (!(size > 0)) return {};
     Cubic const cubic{p0, 3 * (p1 - p0), 3 * (p0 - 2 * p1 + p2), (p3 - p0) + 3 * (p1 - p2), size};
-    auto const on_line = [&](Vec2 const& leg) { return std::abs(wedge(longest, leg)) <= rounding * size * size; };
+    auto const on_line = [&](Vec2 const& leg) { return std::abs(cross(longest, leg)) <= rounding * size * size; };
     if (std::all_of(legs, legs + 3, on_line)) return straight_pieces(cubic, longest / size);
 
     // Inflections and cusps: rate ^ bend = 0, a quadratic in t.
     std::vector<double> ends =
-        roots_within_one(wedge(cubic.c1, cubic.c2), 3 * wedge(cubic.c1, cubic.c3), 3 * wedge(cubic.c2, cubic.c3));
+        roots_within_one(cross(cubic.c1, cubic.c2), 3 * cross(cubic.c1, cubic.c3), 3 * cross(cubic.c2, cubic.c3));
     std::vector<Curve> arcs;
     double start = 0;
     for (double const end : ends) {
@@ -201,7 +201,7 @@ std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance)
     Vec2 const& b = ellipse.second;
     double const size = std::max(length(a), length(b));
     if (!(size > 0) || ellipse.sweep == 0) return {};
-    double const area = wedge(a, b);
+    double const area = cross(a, b);
     std::vector<Curve> arcs;
     if (std::abs(dot(a, b)) <= rounding * size * size && std::abs(length(a) - length(b)) <= rounding * size) {
         double const turned_by = arctangent(a.y(), a.x());

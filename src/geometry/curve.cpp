@@ -53,7 +53,7 @@ Nearest nearest_on(Segment const& segment, Vec2 const& from) {
     if (!(share > 0)) return end_at(segment.start, from);
     if (share >= reach) return end_at(segment.end, from);
     Vec2 const foot = segment.start + along * (share / reach);
-    return {foot, std::abs(wedge(along, from - segment.start)) / std::sqrt(reach), true};
+    return {foot, std::abs(cross(along, from - segment.start)) / std::sqrt(reach), true};
 }
 
 Nearest nearest_on(Arc const& arc, Vec2 const& from) {

@@ -10,7 +10,7 @@ namespace geometry {
 using Vec2 = Eigen::Vector2d;
 
 // a ^ b = a.x b.y - a.y b.x: the signed area that a and b span, positive where b lies to the left of a.
-inline double wedge(Vec2 const& a, Vec2 const& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(Vec2 const& a, Vec2 const& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 inline double dot(Vec2 const& a, Vec2 const& b) { return a.x() * b.x() + a.y() * b.y(); }
 

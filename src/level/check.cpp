@@ -14,7 +14,7 @@ namespace level {
 namespace {
 
 using geometry::Arc;
-using physics::Spoke;
+using physics::IncidentEdge;
 using physics::Terrain;
 using physics::Vertex;
 
@@ -47,13 +47,13 @@ private:
 
     void gaps() {
         for (Vertex const& vertex : terrain_.vertices)
-            if (vertex.spokes.size() == 1) gap_at(vertex);
+            if (vertex.edges.size() == 1) gap_at(vertex);
     }
 
     // From a loose end to the nearest terrain that it does not touch; its own piece counts where that is a ring that
     // does not quite close.
     void gap_at(Vertex const& vertex) {
-        int const own = vertex.spokes[0].piece;
+        int const own = vertex.edges[0].piece;
         double nearest = widest_gap;
         int found = -1;
         terrain_.tree.each_overlapping(geometry::grown({vertex.point, vertex.point}, widest_gap), [&](int piece) {
@@ -64,7 +64,7 @@ private:
                 found = piece;
             }
         });
-        int const other_end = vertex.spokes[0].at_start ? terrain_.end_vertex[own] : terrain_.start_vertex[own];
+        int const other_end = vertex.edges[0].at_start ? terrain_.end_vertex[own] : terrain_.start_vertex[own];
         double const to_itself = geometry::length(terrain_.vertices[other_end].point - vertex.point);
         bool const is_ring = to_itself < nearest && geometry::length_of(terrain_.pieces[own].curve) > 2 * widest_gap;
         if (is_ring) {
@@ -103,13 +103,13 @@ private:
     };
     std::optional<Break> tangent_break_at(Vertex const& vertex) const {
         constexpr std::size_t most_spokes = 16;  // where more meet nobody means them to be smooth
-        std::size_t const count = std::min(vertex.spokes.size(), most_spokes);
+        std::size_t const count = std::min(vertex.edges.size(), most_spokes);
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = i + 1; j < count; ++j) {
-                Spoke const &a = vertex.spokes[i], &b = vertex.spokes[j];
+                IncidentEdge const &a = vertex.edges[i], &b = vertex.edges[j];
                 Vec2 const onwards = -b.direction;
                 double const turn =
-                    std::abs(std::atan2(geometry::wedge(a.direction, onwards), geometry::dot(a.direction, onwards)));
+                    std::abs(std::atan2(geometry::cross(a.direction, onwards), geometry::dot(a.direction, onwards)));
                 if (turn >= physics::joint_turn && turn < largest_break) return Break{std::max(a.piece, b.piece), turn};
             }
         return std::nullopt;

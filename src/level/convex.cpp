@@ -15,7 +15,7 @@ using Polygon = std::vector<Vec2>;
 
 constexpr double flat = 1e-12;  // of the product of two sides: less of an area between them is none
 
-double turn(Vec2 const& a, Vec2 const& b, Vec2 const& c) { return geometry::wedge(b - a, c - b); }
+double turn(Vec2 const& a, Vec2 const& b, Vec2 const& c) { return geometry::cross(b - a, c - b); }
 
 double flatness_at(Vec2 const& a, Vec2 const& b, Vec2 const& c) {
     return flat * geometry::length(b - a) * geometry::length(c - b);
@@ -26,7 +26,7 @@ Vec2 const& around(Polygon const& polygon, std::size_t i) { return polygon[i % p
 double area_of(Polygon const& polygon) {
     double area = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        area += geometry::wedge(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]) / 2;
+        area += geometry::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]) / 2;
     return area;
 }
 
@@ -35,7 +35,7 @@ bool is_convex(Polygon const& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         Vec2 const &a = polygon[i], &b = around(polygon, i + 1), &c = around(polygon, i + 2);
         if (turn(a, b, c) < -flatness_at(a, b, c)) return false;
-        turned += geometry::arctangent(geometry::wedge(b - a, c - b), geometry::dot(b - a, c - b));
+        turned += geometry::arctangent(geometry::cross(b - a, c - b), geometry::dot(b - a, c - b));
     }
     return turned < 3 * geometry::pi;  // once round, not twice
 }
@@ -44,7 +44,7 @@ bool edges_cross(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d) {
     if (!geometry::overlap(geometry::box_of(geometry::Segment{a, b}), geometry::box_of(geometry::Segment{c, d})))
         return false;
     auto const side = [](Vec2 const& p, Vec2 const& q, Vec2 const& r) {
-        double const area = geometry::wedge(q - p, r - p);
+        double const area = geometry::cross(q - p, r - p);
         return area > 0 ? 1 : area < 0 ? -1 : 0;
     };
     return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;

@@ -11,7 +11,7 @@ namespace level {
 using geometry::dot;
 using geometry::EllipticArc;
 using geometry::pi;
-using geometry::wedge;
+using geometry::cross;
 
 namespace {
 
@@ -38,7 +38,7 @@ EllipticArc elliptical_arc(Vec2 const& start, ArcTo const& arc) {
     Vec2 const unit_centre = geometry::turned_right(unit_half) * (side * away);
 
     Vec2 const from = unit_half - unit_centre, to = -unit_half - unit_centre;
-    double sweep = geometry::arctangent(wedge(from, to), dot(from, to));
+    double sweep = geometry::arctangent(cross(from, to), dot(from, to));
     if (arc.sweep && sweep < 0) sweep += 2 * pi;
     if (!arc.sweep && sweep > 0) sweep -= 2 * pi;
 

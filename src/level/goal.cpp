@@ -61,7 +61,7 @@ std::vector<Region> line_region(pugi::xml_node node, Affine const& map) {
 std::vector<Region> rect_region(pugi::xml_node node, Affine const& map) {
     std::vector<Vec2> corners = corners_of_rect(node);
     for (Vec2& corner : corners) corner = placed(map, corner);
-    double const area = corners.size() < 4 ? 0 : geometry::wedge(corners[1] - corners[0], corners[3] - corners[0]);
+    double const area = corners.size() < 4 ? 0 : geometry::cross(corners[1] - corners[0], corners[3] - corners[0]);
     if (area == 0) return {};
     if (area < 0) std::reverse(corners.begin(), corners.end());
     return {physics::PolygonRegion{corners}};

@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "level/transform.h"
-#include "physics/scene.h"
+#include "physics/world/scene.h"
 
 namespace level {
 

@@ -9,7 +9,7 @@ namespace level {
 
 namespace {
 
-double angle_between(Vec2 const& a, Vec2 const& b) { return std::atan2(geometry::wedge(a, b), geometry::dot(a, b)); }
+double angle_between(Vec2 const& a, Vec2 const& b) { return std::atan2(geometry::cross(a, b), geometry::dot(a, b)); }
 
 // The angle under which a point sees a curve go by.
 double angle_swept(geometry::Curve const& curve, Vec2 const& point) {

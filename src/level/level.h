@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/scene.h"
+#include "physics/world/scene.h"
 
 namespace level {
 

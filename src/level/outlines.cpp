@@ -24,7 +24,7 @@ bool is_straight(Vec2 const& a, Vec2 const& first, Vec2 const& second, Vec2 cons
     double const size = geometry::length(chord);
     if (!(size > slack)) return false;
     auto const along = [&](Vec2 const& p) { return geometry::dot(p - a, chord) / size; };
-    auto const aside = [&](Vec2 const& p) { return std::abs(geometry::wedge(p - a, chord)) / size; };
+    auto const aside = [&](Vec2 const& p) { return std::abs(geometry::cross(p - a, chord)) / size; };
     double const from = along(first), to = along(second);
     return aside(first) <= slack && aside(second) <= slack && from >= -slack && from <= to + slack &&
            to <= size + slack;

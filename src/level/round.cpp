@@ -20,7 +20,7 @@ using physics::DiscRegion;
 std::pair<double, double> radii_of(Ellipse const& ellipse, Affine const& map) {
     Vec2 const first = mapped_direction(map, {ellipse.rx, 0}), second = mapped_direction(map, {0, ellipse.ry});
     double const squares = geometry::dot(first, first) + geometry::dot(second, second);
-    double const area = 2 * std::abs(geometry::wedge(first, second));
+    double const area = 2 * std::abs(geometry::cross(first, second));
     double const sum = std::sqrt(squares + area), difference = std::sqrt(std::max(0.0, squares - area));
     return {(sum + difference) / 2, (sum - difference) / 2};
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "physics/scene.h"
+#include "physics/world/scene.h"
 
 namespace level {
 

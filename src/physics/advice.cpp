@@ -91,10 +91,10 @@ std::string in_seconds(double nanoseconds) {
 }
 
 std::string said_of(Forecast const& forecast) {
-    std::string setting;
+    std::string context;
     if (auto const* steps = std::get_if<Steps>(&forecast.method))
-        setting = " at " + std::to_string(std::lround(steps->rate)) + " steps/s";
-    return name_of(forecast.method) + setting + ": " + in_seconds(forecast.cost) + " a simulated second, error up to " +
+        context = " at " + std::to_string(std::lround(steps->rate)) + " steps/s";
+    return name_of(forecast.method) + context + ": " + in_seconds(forecast.cost) + " a simulated second, error up to " +
            in_metres(forecast.error);
 }
 

@@ -1,6 +1,6 @@
 #include "physics/article.h"
 
-#include "physics/stepping.h"
+#include "physics/steps/stepping.h"
 
 namespace physics {
 
@@ -37,7 +37,7 @@ Touched touched_on(Terrain const& terrain, int piece, Vec2 const& centre, double
 
 // t = v - (v.n) n, and the spin that L = v ^ n asks for, whatever the spin was.
 State article_rule(State state, Vec2 const& normal, double radius) {
-    double const length = geometry::wedge(state.velocity, normal);
+    double const length = geometry::cross(state.velocity, normal);
     state.velocity -= geometry::dot(state.velocity, normal) * normal;
     state.spin = -length / radius;
     return state;

@@ -18,7 +18,7 @@
 // ball falls through the floor.
 #pragma once
 
-#include "physics/method.h"
+#include "physics/world/world.h"
 
 namespace physics {
 
@@ -28,6 +28,11 @@ struct ArticleStep {
     Contact contact;
 };
 ArticleStep article_step(Scene const& scene, Forces const& forces, int ball, State const& state, double dt);
+
+// Once a step.
+struct Article {
+    double rate = 240;  // steps/s
+};
 
 void advance_with(Article const& method, Scene const& scene, World& world, double until, History& history);
 

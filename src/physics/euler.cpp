@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "physics/stepping.h"
+#include "physics/steps/stepping.h"
 
 namespace physics {
 
@@ -15,7 +15,7 @@ using geometry::dot;
 constexpr int impulse_sweeps = 10;
 constexpr int projection_sweeps = 4;
 constexpr double slow_bounce = 2;      // steps in free fall: what closes more slowly does not bounce
-constexpr double euler_still = 1e-4;         // m/s, a touching ball below it is at rest
+constexpr double euler_still = 1e-4;   // m/s, a touching ball below it is at rest
 constexpr double slipping = 1e-6;      // m/s, it slides above it
 constexpr double end_overlap = 1e-9;   // m, less is that of the piece beside
 constexpr double most_friction = 1e9;  // infinity times nothing is no number
@@ -27,8 +27,8 @@ struct Collision {
     double overlap = 0;          // m
     Material material;
     Contact contact;
-    double bounce = 0;                // m/s, the speed along the normal with which they part
-    double pressed = 0, rubbed = 0;   // N s, so far
+    double bounce = 0;               // m/s, the speed along the normal with which they part
+    double pressed = 0, rubbed = 0;  // N s, so far
 };
 
 struct Bodies {
@@ -50,8 +50,8 @@ void integrate(Bodies& bodies, Forces const& forces, double step) {
 int side_of(geometry::Curve const& curve, Vec2 const& point, Vec2 const& normal) {
     auto const* arc = std::get_if<geometry::Arc>(&curve);
     auto const* line = std::get_if<geometry::Segment>(&curve);
-    Vec2 const left = arc ? Vec2((arc->sweep < 0 ? -1 : 1) * (arc->centre - point))
-                          : geometry::turned_left(line->end - line->start);
+    Vec2 const left =
+        arc ? Vec2((arc->sweep < 0 ? -1 : 1) * (arc->centre - point)) : geometry::turned_left(line->end - line->start);
     return dot(normal, left) < 0 ? -1 : 1;
 }
 
@@ -68,8 +68,15 @@ void collide_with_terrain(Bodies& bodies, int ball) {
             if (nearest.inside == at_ends || nearest.distance >= radius || nearest.distance == 0) return;
             if (at_ends && geometry::length(pushed - nearest.point) >= radius - end_overlap) return;
             Vec2 const normal = (place - nearest.point) / nearest.distance;
-            bodies.collisions.push_back({ball, -1, normal, radius - nearest.distance, terrain.pieces[piece].material,
-                                         {piece, side_of(curve, nearest.point, normal)}, 0, 0, 0});
+            bodies.collisions.push_back({ball,
+                                         -1,
+                                         normal,
+                                         radius - nearest.distance,
+                                         terrain.pieces[piece].material,
+                                         {piece, side_of(curve, nearest.point, normal)},
+                                         0,
+                                         0,
+                                         0});
             if (!at_ends) pushed += (radius - nearest.distance) * normal;
         });
 }
@@ -124,8 +131,8 @@ void solve(Bodies& bodies, Collision& c) {
     c.pressed = pressed;
     double turn = 1 / (bodies.scene.balls[c.a].mass * bodies.scene.balls[c.a].inertia);
     if (c.b >= 0) turn += 1 / (bodies.scene.balls[c.b].mass * bodies.scene.balls[c.b].inertia);
-    double const slip = dot(velocity_of(bodies, c.a) - velocity_of(bodies, c.b), tangent) + rim_of(bodies, c.a) +
-                        rim_of(bodies, c.b);
+    double const slip =
+        dot(velocity_of(bodies, c.a) - velocity_of(bodies, c.b), tangent) + rim_of(bodies, c.a) + rim_of(bodies, c.b);
     double const most = std::min(c.material.friction, most_friction) * c.pressed;
     double const rubbed = std::clamp(c.rubbed - slip / (yield + turn), -most, most);
     push(bodies, c.a, (rubbed - c.rubbed) * tangent, rubbed - c.rubbed);
@@ -173,7 +180,7 @@ Standing standing_of(Bodies const& bodies, int ball) {
         if (c.a != ball || c.b >= 0 || c.pressed <= most || c.bounce > 0) continue;
         most = c.pressed;
         standing.contact = c.contact;
-        double const along = geometry::wedge(standing.state.velocity, c.normal), rim = rim_of(bodies, ball);
+        double const along = geometry::cross(standing.state.velocity, c.normal), rim = rim_of(bodies, ball);
         bool const rests = geometry::length(standing.state.velocity) < euler_still && std::abs(rim) < euler_still;
         standing.phase = rests ? Phase::rest : std::abs(along + rim) > slipping ? Phase::slide : Phase::roll;
     }

@@ -7,9 +7,13 @@
 // and passes through what is thinner than its way in a step. `auto` never picks it.
 #pragma once
 
-#include "physics/method.h"
+#include "physics/world/world.h"
 
 namespace physics {
+
+struct Euler {
+    double rate = 240;  // steps/s
+};
 
 void advance_with(Euler const& method, Scene const& scene, World& world, double until, History& history);
 

@@ -2,12 +2,8 @@
 
 #include <cmath>
 
-#include "physics/article.h"
-#include "physics/euler.h"
-#include "physics/exact.h"
-#include "physics/sense.h"
-#include "physics/stepping.h"
-#include "physics/steps.h"
+#include "physics/world/sensors.h"
+#include "physics/steps/stepping.h"
 
 namespace physics {
 

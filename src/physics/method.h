@@ -5,28 +5,13 @@
 #include <string>
 #include <variant>
 
-#include "physics/world.h"
+#include "physics/article.h"
+#include "physics/euler.h"
+#include "physics/exact/exact.h"
+#include "physics/steps/steps.h"
+#include "physics/world/world.h"
 
 namespace physics {
-
-// The article's rule, once a step (physics/article.h).
-struct Article {
-    double rate = 240;  // steps/s
-};
-
-// Semi-implicit Euler, impulses, projection, once a step (physics/euler.h).
-struct Euler {
-    double rate = 240;  // steps/s
-};
-
-// A plan for each ball, fixed steps and soft contacts for those that lean on each other (physics/steps.h).
-struct Steps {
-    double rate = 240;  // steps/s
-    int substeps = 4;
-};
-
-// From event to event, in closed form (physics/exact.h).
-struct Exact {};
 
 using Method = std::variant<Article, Euler, Steps, Exact>;
 
@@ -41,7 +26,8 @@ struct Fault {
 World world_at_start(Method const& method, Scene const& scene, History& history);
 
 // Advances until world.time >= until and appends legs and events to the history: exactly to `until`, or, with a
-// method of steps alone (Article, Euler), to the first step that starts at or after it. Refuses an `until` that is not finite; does nothing for one that is past.
+// method of steps alone (Article, Euler), to the first step that starts at or after it. Refuses an `until` that is not
+// finite; does nothing for one that is past.
 std::optional<Fault> advance(Method const& method, Scene const& scene, World& world, double until, History& history);
 
 // From world.time on these forces act. Refuses numbers that are not finite and a ball that does not exist.

@@ -103,7 +103,8 @@ Choice choice_for(Scene const& scene) {
     std::vector<Reason> const needs = needs_of(scene);
     auto const piles =
         std::find_if(needs.begin(), needs.end(), [](Reason const& r) { return !covers(Exact{}, r.need); });
-    if (piles == needs.end()) return {Exact{}, "it covers every need and is right to rounding on all that it was tried on (docs/physics.md)"};
+    if (piles == needs.end())
+        return {Exact{}, "it covers every need and is right to rounding on all that it was tried on (docs/physics.md)"};
     return {Steps{}, "the exact method does not cover " + std::string(name_of(piles->need)) + ": " + piles->why};
 }
 

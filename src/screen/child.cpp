@@ -136,7 +136,7 @@ void Child::listen(int milliseconds, int writable) {
         if (ends[i].revents != 0) hear(heard_[i]);
 }
 
-void Child::hear(Ear& ear) {
+void Child::hear(PipeReader& ear) {
     std::array<char, 4096> words{};
     ssize_t const count = read(ear.descriptor, words.data(), words.size());
     if (count < 0 && errno == EINTR) return;

@@ -34,16 +34,16 @@ public:
     std::string const& errors() const { return heard_[1].text; }  // and on stderr
 
 private:
-    struct Ear {
+    struct PipeReader {
         int descriptor = -1;
         std::string text;
     };
     void listen(int milliseconds, int writable);
-    static void hear(Ear& ear);
+    static void hear(PipeReader& ear);
 
     pid_t process_ = -1;
     int input_ = -1;
-    Ear heard_[2];
+    PipeReader heard_[2];
 };
 
 }  // namespace screen

@@ -103,7 +103,7 @@ Body open_body(OpenOutlines const& open, std::size_t own, level::Level const& le
     std::vector<Vec2> into = left_of(edge, Closing::open);
     bool const upright = std::abs(way.x()) < 0.2 * std::abs(way.y());
     Vec2 const middle = (edge.back() + edge.front()) / 2;
-    bool const play_left = upright ? geometry::wedge(way, level.size / 2 - middle) > 0 : way.x() >= 0;
+    bool const play_left = upright ? geometry::cross(way, level.size / 2 - middle) > 0 : way.x() >= 0;
     if (play_left) reverse_side(into);
     return wall_of(edge, Closing::open, std::move(into));
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "level/level.h"
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 namespace view {
 

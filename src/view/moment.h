@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "game/session.h"
-#include "physics/world.h"
+#include "physics/world/world.h"
 #include "view/camera.h"
-#include "view/foresight.h"
+#include "view/trajectory_preview.h"
 
 namespace view {
 
@@ -29,7 +29,7 @@ struct Moment {
     physics::Forces forces;          // that act at this time
     std::vector<double> noticed_at;  // s, by sensor: when it first fired; never, or missing, = it has not
     game::Status status;
-    std::vector<Foresight> coming;  // the window's own, while the player aims
+    std::vector<TrajectoryPreview> coming;  // the window's own, while the player aims
 };
 
 enum class Recall { nothing, chart };  // whether `recent` is filled: only the overlay of energy shows it

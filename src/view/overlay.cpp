@@ -64,7 +64,7 @@ std::optional<Figures> figures_of(level::Level const& level, Moment const& momen
     figures.normal = (state.position - meeting.point) / meeting.distance;
     figures.velocity = state.velocity;
     figures.kept = state.velocity - geometry::dot(state.velocity, figures.normal) * figures.normal;
-    figures.length = geometry::wedge(state.velocity, figures.normal);
+    figures.length = geometry::cross(state.velocity, figures.normal);
     figures.roll = figures.length / radius;
     figures.touching = moment.contacts[index].feature >= 0;
     return figures;

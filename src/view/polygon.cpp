@@ -10,7 +10,7 @@ namespace view {
 double signed_area(Ring const& ring) {
     double twice = 0;
     for (std::size_t i = 0; i < ring.size(); ++i)
-        twice += geometry::wedge(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
+        twice += geometry::cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
     return twice / 2;
 }
 

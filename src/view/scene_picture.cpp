@@ -33,7 +33,7 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     append(shapes, goal_shapes(stage.level, moment, camera));
     append(shapes, banana_shapes(stage.level, moment, camera));
     append(shapes, shadow_shapes(stage.level, moment, camera));
-    for (Foresight const& foresight : moment.coming) append(shapes, foresight_shapes(foresight, camera));
+    for (TrajectoryPreview const& preview : moment.coming) append(shapes, trajectory_shapes(preview, camera));
     append(shapes, ball_shapes(stage.level, moment, camera));
     append(shapes, spring_shapes(stage.level, moment, camera));
     append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays));

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/overlap.h"
+#include "physics/world/overlap.h"
 
 namespace {
 

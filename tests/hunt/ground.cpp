@@ -8,7 +8,7 @@ namespace hunt {
 
 using geometry::dot;
 using geometry::length;
-using geometry::wedge;
+using geometry::cross;
 
 namespace {
 
@@ -79,7 +79,7 @@ Limb limb_of(Bow const& bow) {
     Vec2 const left = Vec2(-chord.y(), chord.x()) / (2 * half);
     Vec2 const centre = (bow.from + bow.to) / 2 + (bow.left == bow.large ? -height : height) * left;
     Vec2 const start = bow.from - centre, end = bow.to - centre;
-    double sweep = std::atan2(wedge(start, end), dot(start, end));
+    double sweep = std::atan2(cross(start, end), dot(start, end));
     if (bow.left && sweep < 0) sweep += turn;
     if (!bow.left && sweep > 0) sweep -= turn;
     Limb limb = round_limb(centre, radius, std::atan2(start.y(), start.x()), sweep);
@@ -116,7 +116,7 @@ Foot foot_on(Limb const& limb, Vec2 const& from) {
         double const square = dot(along, along);
         double const share = square > 0 ? dot(from - limb.from, along) / square : 0;
         if (share > 0 && share < 1)
-            return {limb.from + share * along, std::abs(wedge(along, from - limb.from)) / std::sqrt(square)};
+            return {limb.from + share * along, std::abs(cross(along, from - limb.from)) / std::sqrt(square)};
     } else {
         Vec2 const outward = from - limb.centre;
         double const distance = length(outward);

@@ -8,7 +8,7 @@ namespace hunt {
 
 using geometry::dot;
 using geometry::length;
-using geometry::wedge;
+using geometry::cross;
 
 namespace {
 
@@ -36,7 +36,7 @@ bool is_held(Ground const& ground, std::vector<Foot> const& feet, Vec2 const& ce
     for (Foot const& foot : feet) {
         Vec2 const normal = (centre - foot.point) / length(centre - foot.point);
         Limb const& limb = ground[static_cast<std::size_t>(foot.limb)];
-        double const pressed = -dot(pull, normal), aside = std::abs(wedge(pull, normal));
+        double const pressed = -dot(pull, normal), aside = std::abs(cross(pull, normal));
         if (aside <= std::min(limb.resistance, limb.friction) * pressed + rounding * size && pressed > 0) return true;
         Vec2 const tangent = geometry::turned_left(normal);
         bool const grips = std::isinf(limb.friction);
@@ -46,9 +46,9 @@ bool is_held(Ground const& ground, std::vector<Foot> const& feet, Vec2 const& ce
     }
     for (Vec2 const& a : edges)
         for (Vec2 const& b : edges) {
-            double const area = wedge(a, b);
+            double const area = cross(a, b);
             if (area <= 0) continue;
-            double const of_a = wedge(-pull, b), of_b = wedge(a, -pull);
+            double const of_a = cross(-pull, b), of_b = cross(a, -pull);
             if (of_a >= -rounding * size && of_b >= -rounding * size) return feet.size() > 1;
         }
     return false;

@@ -123,7 +123,7 @@ double depth_in(physics::Scene const& scene, Vec2 const& place, double radius) {
     for (physics::Piece const& piece : scene.terrain.pieces) {
         auto const& [start, end] = std::get<geometry::Segment>(piece.curve);
         Vec2 const along = (end - start) / geometry::length(end - start);
-        deepest = std::max(deepest, radius - geometry::wedge(along, place - start));
+        deepest = std::max(deepest, radius - geometry::cross(along, place - start));
     }
     return deepest;
 }

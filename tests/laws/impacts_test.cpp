@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "bounds.h"
-#include "physics/steps_impact.h"
+#include "physics/steps/ball_impacts.h"
 #include "scenes.h"
 
 using namespace laws;
@@ -102,7 +102,7 @@ TEST_CASE("T1: steps: no impact of two balls gains energy, and momentum and angu
             a.mass * (after.first.velocity - a.start.velocity) + b.mass * (after.second.velocity - b.start.velocity);
         REQUIRE(length(lost) <= 1e-11 * (1 + before));
         auto const moment = [](physics::Ball const& ball, physics::State const& s) {
-            return ball.mass * (geometry::wedge(ball.start.position, s.velocity) +
+            return ball.mass * (geometry::cross(ball.start.position, s.velocity) +
                                 ball.inertia * ball.radius * ball.radius * s.spin);
         };
         double const turned =

@@ -34,11 +34,11 @@ void remove_last(Run& run) {
     run.scene.balls.pop_back();
     run.world.legs.pop_back();
     run.history.legs.pop_back();
-    if (!run.world.outlooks.empty()) run.world.outlooks.pop_back();
+    if (!run.world.plans.empty()) run.world.plans.pop_back();
     run.world.still_steps.clear();
-    std::erase_if(run.world.touches, [&](physics::Touch const& t) { return t.ball == last; });
-    std::erase_if(run.world.neighbours, [&](physics::Neighbours const& n) { return n.second == last; });
-    run.world.reaches.clear();
+    std::erase_if(run.world.cached_contacts, [&](physics::CachedContact const& t) { return t.ball == last; });
+    std::erase_if(run.world.ball_pairs, [&](physics::BallPair const& n) { return n.second == last; });
+    run.world.fat_boxes.clear();
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // curves of the terrain, and is no faster than it is clever: right to the first power of the step.
 #pragma once
 
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 namespace laws {
 

@@ -148,7 +148,7 @@ TEST_CASE("other transforms turn circles into ellipses of arcs within the tolera
     for (std::size_t i = 0; i < curves.size(); ++i) {
         auto const& next = curves[(i + 1) % curves.size()];
         CHECK(distance(geometry::end_of(curves[i]), geometry::start_of(next)) < 1e-9);
-        CHECK(geometry::wedge(geometry::tangent_at_end(curves[i]), geometry::tangent_at_start(next)) ==
+        CHECK(geometry::cross(geometry::tangent_at_end(curves[i]), geometry::tangent_at_start(next)) ==
               doctest::Approx(0).epsilon(1e-9));
     }
 }

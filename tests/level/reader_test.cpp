@@ -139,7 +139,7 @@ TEST_CASE("goals, bananas and the rim of the world are sensors") {
     double area = 0;
     Vec2 middle = Vec2::Zero();
     for (int i = 0; i < 4; ++i) {
-        area += geometry::wedge(corners[i], corners[(i + 1) % 4]) / 2;
+        area += geometry::cross(corners[i], corners[(i + 1) % 4]) / 2;
         middle += corners[i] / 4;
     }
     CHECK(area == doctest::Approx(2).epsilon(1e-14));

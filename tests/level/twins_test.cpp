@@ -298,7 +298,7 @@ TEST_CASE("a goal of any closed shape covers what is drawn") {
             bool inside = true;
             for (std::size_t i = 0; i < corners.size(); ++i) {
                 Vec2 const &a = corners[i], &b = corners[(i + 1) % corners.size()];
-                inside = inside && geometry::wedge(b - a, point - a) > -1e-9;  // on a seam of two parts as well
+                inside = inside && geometry::cross(b - a, point - a) > -1e-9;  // on a seam of two parts as well
             }
             if (inside) return true;
         }

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/overlap.h"
+#include "physics/world/overlap.h"
 
 using namespace physics;
 using geometry::Segment;

@@ -1,7 +1,7 @@
 // Small levels made by hand, for tests of what is drawn.
 #pragma once
 
-#include "physics/leg.h"
+#include "physics/motion/leg.h"
 #include "view/scene_picture.h"
 
 namespace view_test {

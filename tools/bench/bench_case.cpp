@@ -81,7 +81,7 @@ Case circle_case(std::string const& name, std::string const& file, double durati
                 Start start{{scene, {}, duration}, {}};
                 auto const arc = std::get<geometry::Arc>(first_curve(scene));
                 physics::State const& drawn = scene.balls[0].start;
-                double const sense = geometry::wedge(drawn.position - arc.centre, drawn.velocity) < 0 ? -1 : 1;
+                double const sense = geometry::cross(drawn.position - arc.centre, drawn.velocity) < 0 ? -1 : 1;
                 double const more = spread * (i == 0 ? 0 : 1 + place_of(i));
                 double const speed =
                     sense * geometry::length(drawn.velocity) * (jitter == Jitter::speed ? 1 + more : 1);

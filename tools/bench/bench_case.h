@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "game/game.h"
-#include "physics/world.h"
+#include "physics/world/world.h"
 
 namespace bench {
 

@@ -8,7 +8,7 @@ namespace bench {
 namespace {
 
 bool is_left_of(Vec2 const& point, Vec2 const& from, Vec2 const& to) {
-    return geometry::wedge(to - from, point - from) > 0;
+    return geometry::cross(to - from, point - from) > 0;
 }
 
 bool is_boulder(physics::Scene const& scene, physics::Piece const& piece) {

@@ -9,12 +9,12 @@
 
 namespace bench {
 
-struct Heaper {
+struct PileSolver {
     std::string method, setting;
     std::unique_ptr<Pile> (*start)(physics::Scene const&) = nullptr;
 };
 
-std::vector<Heaper> heapers();
+std::vector<PileSolver> heapers();
 
 physics::Scene pile_of(int balls);
 

@@ -56,7 +56,7 @@ double seconds_of_frames(Pile& pile, int frames) {
 
 // A pile that is made and settles when it is first needed.
 struct Heap {
-    Heaper heaper;
+    PileSolver heaper;
     int count = 0;
     double settling = 0;  // s
     std::unique_ptr<Pile> pile;
@@ -86,7 +86,7 @@ Timed benchmark_of(std::shared_ptr<Heap> const& heap) {
 
 }  // namespace
 
-std::vector<Heaper> heapers() {
+std::vector<PileSolver> heapers() {
     return {
         {"steps", "60 Hz",
          [](physics::Scene const& scene) {
@@ -119,7 +119,7 @@ Part piles_part(std::vector<int> const& counts, double settling) {
     Part part;
     std::vector<std::shared_ptr<Heap>> heaps;
     for (int const count : counts)
-        for (Heaper const& heaper : heapers()) {
+        for (PileSolver const& heaper : heapers()) {
             double const seconds = std::max(settling, count * settling_of_a_ball);
             heaps.push_back(std::make_shared<Heap>(Heap{heaper, count, seconds, nullptr}));
             part.benchmarks.push_back(benchmark_of(heaps.back()));

@@ -39,7 +39,7 @@ double deepest_in(std::vector<Vec2> const& positions) {
     return positions[0].y() > 0 ? deepest : physics::never;
 }
 
-double deepest_after(Heaper const& heaper, physics::Scene const& scene, double settling) {
+double deepest_after(PileSolver const& heaper, physics::Scene const& scene, double settling) {
     auto const column = heaper.start(scene);
     int const frames = static_cast<int>(settling * frames_per_second);
     double deepest = 0;
@@ -57,7 +57,7 @@ void map_stacks(std::vector<int> const& heights, std::vector<double> const& rati
        << " s: deepest overlap in diameters, inf where\n"
        << "# one has fallen through or off\n"
        << "# method\tsetting\theight\tratio\toverlap\tcolumn\trow\n";
-    for (Heaper const& heaper : heapers()) {
+    for (PileSolver const& heaper : heapers()) {
         std::cerr << "stack map: " << heaper.method << ", " << heaper.setting << '\n';
         for (std::size_t column = 0; column < heights.size(); ++column) {
             for (std::size_t row = 0; row < ratios.size(); ++row)

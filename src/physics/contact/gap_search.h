@@ -1,0 +1,215 @@
+// The search for the first closing gap between a ball on a path and the curves of the terrain. Gaps are polynomials of
+// the path's parameter; a path says how lines and circles look from it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polynomial.h"
+#include "physics/contact/first_contact.h"
+
+namespace physics {
+
+// `Path` has
+//   to_line(normal, point, distance): (c(t) - point) . normal - distance, times a factor between 1 and 2
+//   to_circle(centre, rho): |c(t) - centre|^2 - rho^2, times the same factor
+//   at(t), speed(t), pull(t): the centre, and the sizes of its first and second derivatives
+// Coefficients stand lowest power first.
+template <typename Path>
+class GapSearch {
+public:
+    GapSearch(Terrain const& terrain, Path const& path, double radius, int own)
+        : terrain_(terrain), path_(path), radius_(radius), own_(own) {}
+
+    // `near` holds all that the ball can touch within `until`.
+    void look_at(int index, geometry::Box const& near, double until) {
+        if (index != own_) {
+            if (auto const* segment = std::get_if<geometry::Segment>(&terrain_.pieces[index].curve))
+                look_at_segment(index, *segment, until);
+            else
+                look_at_arc(index, std::get<geometry::Arc>(terrain_.pieces[index].curve), until);
+        }
+        look_at_end(index, terrain_.start_vertex[index], near, until);
+        look_at_end(index, terrain_.end_vertex[index], near, until);
+    }
+
+    SweepHit first;
+
+private:
+    static constexpr int most_edges = 2;
+    using Linear = decltype(std::declval<Path>().to_line(Vec2(), Vec2(), 0.0));
+
+    // Where a ball has its nearest point on a feature between the feature's ends: where all edges are below
+    // touch_reach, or, on arcs of more than half a turn, one of them.
+    struct Domain {
+        std::array<Linear, most_edges> edges;
+        int count = 0;
+        bool any = false;
+
+        void add(Linear const& edge) { edges[count++] = edge; }
+        bool holds(double t) const {
+            if (count == 0) return true;
+            for (int i = 0; i < count; ++i) {
+                bool const within = geometry::value_at(edges[i], t) <= touch_reach;
+                if (within == any) return any;
+            }
+            return !any;
+        }
+    };
+
+    void offer(double t, Contact contact) {
+        if (t < first.time || (t == first.time && contact.feature < first.contact.feature)) first = {t, contact};
+    }
+
+    // How a gap stands at the beginning of a stretch of the path.
+    enum class Stand { open, met, opens };
+
+    // Leaves the gap as the stretch should see it: closed gaps that open or stay are zero, and so are rates that are
+    // rounding. `metre` is what a metre of the gap comes to.
+    template <std::size_t N>
+    Stand begin(std::array<double, N>& gap, double metre, double t, double bend) const {
+        if (gap[0] > touch_reach * metre) return Stand::open;
+        double const speed = path_.speed(t), pull = path_.pull(t);
+        double const still = 2 * still_speed(path_.at(t), radius_, speed, pull) * metre;
+        if (gap[1] < -still) return Stand::met;
+        if (gap[0] < 0 && gap[0] >= -touch_reach * metre) gap[0] = 0;
+        if (gap[1] > still) return Stand::opens;
+        gap[1] = 0;
+        double const straight = bend_rounding + place_rounding(path_.at(t), radius_);
+        if (std::abs(gap[2]) <= straight * (pull + speed * speed * bend) * metre) gap[2] = 0;
+        if (gap[2] < 0) return Stand::met;
+        return Stand::opens;
+    }
+
+    // `bend` is the curvature of the gap's level lines, 1/m; `in_front(t)` whether the ball is on the contact's side.
+    template <std::size_t N, typename MakeDomain, typename InFront>
+    void look(std::array<double, N> const& gap, double metre, double bend, Contact contact, double until,
+              MakeDomain&& make_domain, InFront&& in_front) {
+        until = std::min(until, first.time);
+        if (gap[0] > touch_reach * metre) {
+            auto const fall = geometry::first_fall(gap, until);
+            if (!fall) return;
+            Domain const domain = make_domain();
+            if (domain.holds(*fall)) return offer(*fall, contact);
+            look_through(domain, gap, metre, bend, contact, until, in_front);
+            return;
+        }
+        // A gap that is closed, but not by the ball where it is, must open before it can close.
+        // Into a socket, whose gap never opens, the ball comes past the ends.
+        bool const comes_up = metre < 4 * socket_play || gap[0] >= -touch_reach * metre || in_front(0) ||
+                              rises_to_touch(gap, metre, until);
+        if (comes_up) look_through(make_domain(), gap, metre, bend, contact, until, in_front);
+    }
+
+    template <std::size_t N>
+    static bool rises_to_touch(std::array<double, N> gap, double metre, double until) {
+        for (double& c : gap) c = -c;
+        gap[0] -= touch_reach * metre;
+        return geometry::first_fall(gap, until).has_value();
+    }
+
+    // Stretch by stretch of the path within the domain.
+    template <std::size_t N, typename InFront>
+    void look_through(Domain const& domain, std::array<double, N> const& gap, double metre, double bend,
+                      Contact contact, double until, InFront&& in_front) {
+        std::array<double, most_edges * geometry::most_coefficients + 2> bounds;
+        int count = 0;
+        bounds[count++] = 0;
+        for (int i = 0; i < domain.count; ++i) {
+            Linear edge = domain.edges[i];
+            edge[0] -= touch_reach;
+            geometry::Crossings const crossings = geometry::crossings(edge, until);
+            for (double const t : crossings.all()) bounds[count++] = t;
+        }
+        std::sort(bounds.begin(), bounds.begin() + count);
+        bounds[count++] = until;
+        for (int i = 0; i + 1 < count; ++i) {
+            double const from = bounds[i], to = bounds[i + 1];
+            double const middle = to < never ? 0.5 * (from + to) : 2 * from + 1;
+            if (!(to > from) && i > 0) continue;
+            if (!domain.holds(middle)) continue;
+            // Running off the feature's end: what comes next there is looked at by itself.
+            Vec2 const place = path_.at(from);
+            bool const goes_nowhere = geometry::length(path_.at(to < never ? to : middle) - place) <= 4 * touch_reach &&
+                                      geometry::length(path_.at(middle) - place) <= 4 * touch_reach;
+            if (to < until && goes_nowhere) continue;
+            if (!in_front(from)) continue;
+            std::array<double, N> from_here = geometry::counted_from(from, gap);
+            if (begin(from_here, metre, from, bend) == Stand::met) return offer(from, contact);
+            auto const fall = geometry::first_fall(from_here, to - from);
+            if (fall) return offer(from + *fall, contact);
+        }
+    }
+
+    void look_at_segment(int index, geometry::Segment const& segment, double until) {
+        Vec2 const way = segment.end - segment.start;
+        double const span = geometry::length(way);
+        Vec2 const along = way / span, left = geometry::turned_left(along);
+        auto const make_domain = [&] {
+            Domain domain;
+            domain.add(path_.to_line(-along, segment.start, 0));
+            domain.add(path_.to_line(along, segment.end, 0));
+            return domain;
+        };
+        for (int const side : {1, -1}) {
+            Vec2 const normal = side * left;
+            look(path_.to_line(normal, segment.start, radius_), 1, 0, {index, side}, until, make_domain,
+                 [&](double t) { return geometry::dot(path_.at(t) - segment.start, normal) > 0; });
+        }
+    }
+
+    void look_at_arc(int index, geometry::Arc const& arc, double until) {
+        int const inner_side = arc.sweep > 0 ? 1 : -1;
+        auto const make_domain = [&] {
+            Domain domain;
+            if (terrain_.start_vertex[index] < 0) return domain;
+            domain.any = std::abs(arc.sweep) > geometry::pi;
+            domain.add(path_.to_line(-geometry::tangent_at_start(arc), arc.centre, 0));
+            domain.add(path_.to_line(geometry::tangent_at_end(arc), arc.centre, 0));
+            return domain;
+        };
+        auto const distance = [&](double t) { return geometry::length(path_.at(t) - arc.centre); };
+        double const outer = arc.radius + radius_, inner = arc.radius - radius_;
+        look(path_.to_circle(arc.centre, outer), 2 * outer, 1 / outer, {index, -inner_side}, until, make_domain,
+             [&](double t) { return distance(t) > arc.radius; });
+        if (inner < -touch_reach) return;
+        double const rho = std::max(inner, 0.0);
+        auto gap = path_.to_circle(arc.centre, rho);
+        for (double& c : gap) c = -c;
+        look(gap, 2 * rho + touch_reach, 1 / (rho + touch_reach), {index, inner_side}, until, make_domain,
+             [&](double t) { return distance(t) < arc.radius; });
+    }
+
+    void look_at_end(int index, int vertex, geometry::Box const& near, double until) {
+        if (vertex < 0 || terrain_.vertices[vertex].edges.front().piece != index) return;
+        int const feature = terrain_.feature_of_vertex(vertex);
+        Vertex const& v = terrain_.vertices[vertex];
+        if (v.cone_width == 0 || feature == own_ || !overlap(near, {v.point, v.point})) return;
+        if (is_beside_a_piece(v, near)) return;
+        auto const make_domain = [&] {
+            Domain domain;
+            for (Vec2 const& direction : {v.first_edge, v.last_edge}) domain.add(path_.to_line(direction, v.point, 0));
+            return domain;
+        };
+        look(path_.to_circle(v.point, radius_), 2 * radius_, 1 / radius_, {feature, 1}, until, make_domain,
+             [](double) { return true; });
+    }
+
+    // Whether all of the way, and a moment beyond, lies beside one of the vertex's pieces: then the vertex is not
+    // exposed to it.
+    bool is_beside_a_piece(Vertex const& v, geometry::Box const& near) const {
+        Vec2 const margin = Vec2::Constant(radius_ + touch_reach);
+        Vec2 const low = near.low + margin - v.point, high = near.high - margin - v.point;
+        return std::any_of(v.edges.begin(), v.edges.end(), [&](IncidentEdge const& edge) {
+            Vec2 const& d = edge.direction;
+            return geometry::dot({d.x() > 0 ? low.x() : high.x(), d.y() > 0 ? low.y() : high.y()}, d) > 8 * touch_reach;
+        });
+    }
+
+    Terrain const& terrain_;
+    Path const& path_;
+    double radius_;
+    int own_;
+};
+
+}  // namespace physics

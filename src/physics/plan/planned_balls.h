@@ -1,0 +1,82 @@
+// Balls on their plans: the events of one ball against terrain, whatever becomes of the others.
+#pragma once
+
+#include "physics/plan/leg_plan.h"
+#include "physics/plan/transition.h"
+#include "physics/world/world.h"
+
+namespace physics {
+
+inline constexpr double watch_span = 1e-3;  // s; more events than
+inline constexpr int watch_events = 1000;   // these in that span for one of several balls have no end (handover.h)
+
+// A lone ball is never handed over. Bounces on one surface under gravity alone have a limit, to which they are summed;
+// others, between two surfaces, under the pull of the spring or where all but nothing is lost, end where they crowd:
+// after so many of them within watch_span nothing bounces back. Where more events than stall_events fall in stall_span,
+// the ball creeps on (transition.h).
+inline constexpr int crowd_events = 50;
+inline constexpr double most_summed = 0.9999;  // restitution: above it a sum of bounces counts as endless
+inline constexpr double stall_span = 1e-10;    // s
+inline constexpr int stall_events = 40;
+inline constexpr int creep_events = 50;  // more within watch_span, and the ball stands until the forces change
+
+// One call's view of the balls of a world that are on their plans. Legs and events go to the history at world.time.
+class PlannedBalls {
+public:
+    // `alone`: balls go by the rules of one that is alone in its world.
+    PlannedBalls(Scene const& scene, World& world, History& history, bool alone)
+        : scene_(scene), world_(world), history_(history), alone_(alone) {}
+
+    // Sets out from a state at world.time; `known` is the contact that the caller knows to be touched, or no_contact.
+    void resolve(int i, State const& state, Contact known);
+    // After a hit, whether by another ball or in how it is borne.
+    void strike(int i, State const& state);
+    // From world.time on moved by world.forces.
+    void change_field(int i);
+    // The events of one ball up to and including `until` (s).
+    void follow(int i, double until);
+
+    enum class Going {
+        on,       // the same motion, known further ahead
+        changed,  // another leg
+        crowded   // no further: its events crowd
+    };
+    // What follows the end of the ball's leg, which is at world.time.
+    Going end_leg(int i);
+    // Counts an event of the ball; false when they crowd.
+    bool watched(int i);
+
+private:
+    MotionContext context(int i) const;
+    void tell(EventKind kind, int i, State const& state, Contact contact);
+    void take(int i, Transition const& transition);
+    Transition after_hit(int i, State const& state) const;
+    bool is_elastic(Contact contact) const;
+    bool stalls(int i);
+    bool jams(int i);
+    void look_round(int i, BallPlan const& before);
+    void set_out(int i, State const& state, Contact contact, double duration, EventKind kind, Contact at_what);
+    bool hop(int i);
+    bool pass(int i);
+
+    Scene const& scene_;
+    World& world_;
+    History& history_;
+    bool alone_;
+};
+
+// The same of one ball, as if alone in its world, at a time (s) other than the world's. It sets out from a state, or,
+// on its plan, is given another by a hit ...
+void set_out(Scene const& scene, World& world, History& history, int ball, State const& state, Contact known,
+             double time);
+void strike(Scene const& scene, World& world, History& history, int ball, State const& state, double time);
+// ... comes to `until` by its events up to then ...
+void follow_plan(Scene const& scene, World& world, History& history, int ball, double until);
+// ... and is moved by world.forces from `time` on, by others before.
+void change_field(Scene const& scene, World& world, History& history, int ball, double time);
+
+// The same of a world of one ball: to `until` (s); and moved by world.forces from world.time on, by `before` before.
+void advance_alone(Scene const& scene, World& world, History& history, double until);
+void force_alone(Scene const& scene, World& world, History& history, Forces const& before);
+
+}  // namespace physics

@@ -1,0 +1,25 @@
+// Impacts: the impulse at one contact, with restitution and Coulomb friction (physics.md 1). It never gains energy.
+#pragma once
+
+#include "physics/motion/impact.h"
+#include "physics/world/world.h"
+
+namespace physics {
+
+// The state of a ball just after it hits fixed terrain whose unit normal is `normal`, with restitution e and friction
+// mu.
+struct Impact {
+    State state;
+    Impulse impulse;
+};
+Impact after_impact(State const& state, Ball const& ball, Vec2 const& normal, double restitution, double friction);
+
+// The states of two balls just after they hit each other; `normal` points from the first to the second.
+struct PairImpact {
+    State first, second;
+    Impulse impulse;
+};
+PairImpact after_pair_impact(State const& first, Ball const& one, State const& second, Ball const& other,
+                             Vec2 const& normal, double restitution);
+
+}  // namespace physics

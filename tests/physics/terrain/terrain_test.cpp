@@ -1,0 +1,93 @@
+#include <cmath>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+#include "geometry/elementary.h"
+#include "physics/world/world.h"
+
+using namespace physics;
+using geometry::Arc;
+using geometry::pi;
+using geometry::Segment;
+
+TEST_CASE("ends within a micrometre are one vertex, further apart two") {
+    CHECK(terrain_of({{Segment{{0, 0}, {1, 0}}, {}, 0}, {Segment{{1 + 9e-7, 0}, {2, 0}}, {}, 0}}).vertices.size() == 3);
+    CHECK(terrain_of({{Segment{{0, 0}, {1, 0}}, {}, 0}, {Segment{{1 + 2e-6, 0}, {2, 0}}, {}, 0}}).vertices.size() == 4);
+}
+
+TEST_CASE("a whole circle has no vertex") {
+    Terrain const terrain = terrain_of({{Arc{{0, 0}, 1, 0, 2 * pi}, {}, 0}});
+    CHECK(terrain.vertices.empty());
+    CHECK(terrain.start_vertex[0] == -1);
+}
+
+static Vertex const& vertex_at(Terrain const& terrain, Vec2 const& point) {
+    for (Vertex const& vertex : terrain.vertices)
+        if (vertex.point == point) return vertex;
+    throw std::logic_error("no vertex there");
+}
+
+TEST_CASE("a flat joint exposes no direction, a corner those between its normals") {
+    Terrain const flat = terrain_of({{Segment{{-1, 0}, {0, 0}}, {}, 0}, {Segment{{0, 0}, {1, 0}}, {}, 0}});
+    Terrain const corner = terrain_of({{Segment{{-1, 0}, {0, 0}}, {}, 0}, {Segment{{0, 0}, {0, -1}}, {}, 0}});
+    Vec2 const up(0, 1), out(std::sqrt(0.5), std::sqrt(0.5)), back(-0.6, 0.8);
+    CHECK_FALSE(exposes(vertex_at(flat, {0, 0}), up));
+    CHECK(exposes(vertex_at(corner, {0, 0}), out));
+    CHECK_FALSE(exposes(vertex_at(corner, {0, 0}), back));
+}
+
+TEST_CASE("a track keeps the centre at the radius from its surface, on both sides") {
+    Terrain const terrain = terrain_of({{Arc{{1, 2}, 3, 0.3, 2}, {}, 0}, {Segment{{0, 0}, {3, 4}}, {}, 0}});
+    for (int const side : {1, -1}) {
+        Track const round = track_of(terrain, {0, side}, 0.5), straight = track_of(terrain, {1, side}, 0.5);
+        for (double const q : {0.0, 0.7, 2.0}) {
+            CHECK(geometry::length(position_at(round, q) - Vec2(1, 2)) == doctest::Approx(side > 0 ? 2.5 : 3.5));
+            CHECK(geometry::cross(Vec2(0.6, 0.8), position_at(straight, q)) == doctest::Approx(0.5 * side));
+            CHECK(nearest_coordinate(round, position_at(round, q)) == doctest::Approx(q));
+            CHECK(nearest_coordinate(straight, position_at(straight, q)) == doctest::Approx(q));
+        }
+    }
+}
+
+TEST_CASE("an arc as tight as the ball has no track inside") {
+    Terrain const terrain = terrain_of({{Arc{{0, 0}, 0.5, 0, 2}, {}, 0}});
+    CHECK_FALSE(fits(terrain, {0, 1}, 0.5));
+    CHECK(fits(terrain, {0, -1}, 0.5));
+    CHECK(fits(terrain, {0, 1}, 0.4));
+}
+
+TEST_CASE("tilt turns gravity counter-clockwise") {
+    Scene scene;
+    Forces forces;
+    forces.tilt = 0.3;
+    CHECK(gravity_of(scene, forces).x() == doctest::Approx(9.81 * std::sin(0.3)));
+    CHECK(gravity_of(scene, forces).y() == doctest::Approx(-9.81 * std::cos(0.3)));
+}
+
+TEST_CASE("a history answers with the later of two legs that meet, and forgets what ended before") {
+    History history;
+    Leg first, second;
+    first.until = second.since = 1;
+    first.motion = Straight{{{0, 0}, {1, 0}, 0, 0}, {1, 0}, 0};
+    second.motion = Straight{{{1, 0}, {0, 2}, 0, 0}, {0, 2}, 0};
+    history.legs = {{first, second}};
+    CHECK(state_at(history, 0, 0.5).position == Vec2(0.5, 0));
+    CHECK(state_at(history, 0, 1).velocity == Vec2(0, 2));
+    CHECK(state_at(history, 0, 1.5).position == Vec2(1, 1));
+    forget_before(history, 1);
+    CHECK(history.legs[0].size() == 1);
+    CHECK(history.from == 1);
+}
+
+TEST_CASE("a leg on a spring is the damped oscillator, forward and back") {
+    SpringFlight spring;
+    spring.from.position = {1, 0};
+    spring.oscillator = {0, 4};
+    Leg leg;
+    leg.since = 2;
+    leg.motion = spring;
+    CHECK(at(leg, 3).position.x() == doctest::Approx(std::cos(2.0)).epsilon(1e-14));
+    CHECK(at(leg, 1).velocity.x() == doctest::Approx(2 * std::sin(2.0)).epsilon(1e-14));
+    CHECK(acceleration_bound(leg, 2, 9) == doctest::Approx(4).epsilon(1e-12));
+}
