@@ -7,7 +7,7 @@ namespace game {
 inline constexpr double ticks_per_second = 960000;
 inline constexpr long long ticks_per_frame = 16000;  // 1/60 s, what a single step shows
 
-// After a long frame the game falls behind the wall rather than work ever longer (physics.md T17).
+// After a long frame the game falls behind the wall rather than work ever longer (T17 in tests/laws).
 inline constexpr int catch_up_frames = 8;
 
 struct Pace {

@@ -9,7 +9,7 @@ namespace geometry {
 
 namespace {
 
-// Below this |D| t^2 the series is exact to rounding, and both closed forms would lose digits (physics.md 2.2).
+// Below this |D| t^2 the series is exact to rounding, and both closed forms would lose digits (physics.md 3.2).
 constexpr double series_limit = 1e-2;
 
 // cosh(sqrt(q)) and t sinh(sqrt(q)) / sqrt(q), times a factor; both are entire in q, of either sign.

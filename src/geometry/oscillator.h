@@ -1,4 +1,4 @@
-// The damped oscillator y'' + 2 decay y' + stiffness y = 0 in closed form, all regimes in one formula (physics.md 2.2).
+// The damped oscillator y'' + 2 decay y' + stiffness y = 0 in closed form, all regimes in one formula (physics.md 3.2).
 #pragma once
 
 #include <cmath>

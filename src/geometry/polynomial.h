@@ -21,8 +21,8 @@ inline double value_at(std::span<double const> polynomial, double t) {
     return value;
 }
 
-// The first t in [0, until] at which the gap is not above zero and is closing (physics.md 3.1): a crossing from + to -,
-// or 0 for a gap that is closed and closing at the start, or the crest of a gap that opens but stays below zero.
+// The first t in [0, until] at which the gap is not above zero and is closing (physics.md 11.1): a crossing from
+// + to -, or 0 for a gap that is closed and closing at the start, or the crest of a gap that opens but stays below zero.
 // A gap that merely touches zero, or starts at zero and opens, is no event there. `until` may be infinite.
 // The gap at the answer is zero up to the rounding of its own terms.
 std::optional<double> first_fall(std::span<double const> gap, double until);
@@ -63,7 +63,7 @@ inline std::optional<double> first_quadratic_fall(double c0, double c1, double c
     return std::nullopt;
 }
 
-// |position + velocity t + acceleration t^2 / 2|^2 - radius^2, without the cancellation of p.p - R^2 (physics.md 3.1).
+// |position + velocity t + acceleration t^2 / 2|^2 - radius^2, without the cancellation of p.p - R^2 (physics.md 8.1).
 inline std::array<double, 5> distance_quartic(Vec2 const& position, Vec2 const& velocity, Vec2 const& acceleration,
                                               double radius) {
     double const distance = length(position);

@@ -51,7 +51,7 @@ Forecast forecast_of_steps(Sketch const& scene, double rate, Experience const& s
 }
 
 // Overlap grows with the pile as a power of the number of balls, taken from the two measured piles nearest in size; it
-// is in proportion to gravity and, where a heavy ball lies on a light one, to their masses (physics.md 4).
+// is in proportion to gravity and, where a heavy ball lies on a light one, to their masses (physics.md 9.2).
 Forecast forecast_of_pile(Scene const& scene, double rate, Experience const& seen) {
     std::vector<PileExperience> piles;
     for (PileExperience const& pile : seen.piles)

@@ -7,7 +7,7 @@
 // Why this is exact for one kind of ball: friction that forbids slip changes v and the rim speed together, and how much
 // of the change falls on v is k / (1 + k), with k = I / (m r^2). Let all the mass sit at the hub: k = 0, turning costs
 // nothing, so full grip takes nothing from v and the spin follows at once. What is left of a contact is that it stops
-// the velocity along n; the motion is a frictionless slide and the rotation a decoration upon it (physics.md 1a). A
+// the velocity along n; the motion is a frictionless slide and the rotation a decoration upon it (physics.md 2.1). A
 // ball with mass at its rim has to pay for its spin out of v, and this rule lets it spin for nothing: a disc that comes
 // down without spin leaves with up to half as much energy again, and on a slope it gains g sin a in place of two thirds
 // of it.

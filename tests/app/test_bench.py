@@ -28,7 +28,7 @@ class Bench(ProgramTest):
     def test_steps_and_the_article_are_told_apart(self):
         self.bench("--benchmark_filter=^ramp/(exact/as it is|steps/240 Hz|article/240 Hz)/min")
         errors = {row[1]: float(row[5]) for row in rows_of(self.folder / "tables" / "results.tsv")}
-        # physics.md 1a: without a share for rotation the way down is half as long again, 42.3 m of 84.6 m.
+        # physics.md 2.1: without a share for rotation the way down is half as long again, 42.3 m of 84.6 m.
         self.assertAlmostEqual(errors["article"], 42.3, delta=0.5)
         self.assertLess(errors["steps"], 0.01 * errors["article"])
         front = [row[1] for row in rows_of(self.folder / "tables" / "front.tsv")]

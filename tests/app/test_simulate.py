@@ -58,7 +58,7 @@ class Simulate(ProgramTest):
     def test_the_ramp_is_rolled_down_as_its_description_says(self):
         start, end = self.rows(ASSETS / "lab/ramp.svg", "--method", "steps", "--to", "4", "--every", "4")
         rolled = math.hypot(float(end["x"]) - float(start["x"]), float(end["y"]) - float(start["y"]))
-        self.assertAlmostEqual(rolled, 9.81 * math.sin(math.radians(15)) * 16 / 3, delta=0.01 * 13.54)  # physics.md T1
+        self.assertAlmostEqual(rolled, 9.81 * math.sin(math.radians(15)) * 16 / 3, delta=0.01 * 13.54)  # physics.md 3.3
 
     def test_without_spin_energy_the_article_rolls_half_as_far_again(self):
         start, end = self.rows(ASSETS / "lab/ramp.svg", "--method", "article", "--to", "4", "--every", "4")

@@ -113,7 +113,7 @@ double scatter(Sketch const& sketch, Way const& way) {
 }
 
 // Whether lines or arcs miss each other by less than what makes one vertex of their ends, but not by rounding. Then the
-// whole of them is moved to the vertex, or, drawn in two, the nearer half alone (docs/physics.md 2).
+// whole of them is moved to the vertex, or, drawn in two, the nearer half alone (docs/physics.md 12.2).
 bool has_slight_gaps(Sketch const& sketch) {
     std::vector<Vec2> ends;
     for (Limb const& limb : ground_of(sketch.elements)) {

@@ -27,7 +27,7 @@ Vec2 acceleration_on(Sketch const& sketch, physics::Forces const& forces, physic
 }
 
 // Whether forces at the feet can hold a ball still against `pull`: friction cones that hold its opposite between them,
-// or one foot and the couple against rolling (physics.md 2.5 and 2.12).
+// or one foot and the couple against rolling (physics.md 4.3, 7.2).
 bool is_held(Ground const& ground, std::vector<Foot> const& feet, Vec2 const& centre, Vec2 const& pull) {
     constexpr double rounding = 1e-6;
     double const size = length(pull);

@@ -19,7 +19,7 @@ double time_of_last(physics::EventKind kind, physics::History const& history) {
     return time;
 }
 
-// Bounces on a slope that all stick, from a drop of `height` above it along its normal (physics.md 2.13).
+// Bounces on a slope that all stick, from a drop of `height` above it along its normal (physics.md 6.1).
 struct Bounces {
     double end = 0;    // s, their limit
     double way = 0;    // m, down the slope until then

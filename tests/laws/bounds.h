@@ -10,28 +10,28 @@ namespace laws {
 
 enum class Law {
     flight,              // parabola, spin kept
-    roll_on_slope,       // physics.md 2.3, T1
-    slide_on_slope,      // 2.4
-    slip_to_roll,        // 2.4
-    spin_down,           // 2.4
-    rolling_resistance,  // 2.5
-    swing_in_valley,     // 2.6, period
-    energy_in_valley,    // 2.6
-    lift_off,            // 2.6, angle in degrees
-    loop,                // 2.6, share of the threshold speed
+    roll_on_slope,       // physics.md 3.3, T1
+    slide_on_slope,      // physics.md 3.3
+    slip_to_roll,        // physics.md 3.3
+    spin_down,           // physics.md 3.3
+    rolling_resistance,  // physics.md 4.2
+    swing_in_valley,     // physics.md 3.7, period
+    energy_in_valley,    // physics.md 3.5
+    lift_off,            // physics.md 3.5, angle in degrees
+    loop,                // physics.md 3.5, share of the threshold speed
     bend,                // T2, share of the speed lost
     hill,                // T3
     flat_joints,         // T8, height in m and share of the speed
-    corner,              // 2.11, T9
-    vertex,              // 2.10, T3
+    corner,              // physics.md 5.4, T9
+    vertex,              // physics.md 5.3, T3
     bounce,              // T10, share of the height
     rest_time,           // T11
     impact_energy,       // T1
-    pair_momentum,       // 1
-    drag_in_air,         // 2.2, T4 and T5, m for a swing of 1 m
-    drag_on_ground,      // 2.3, T4
-    groove,              // 2.12
-    path_of_centre,      // 1b, the angle rolled
+    pair_momentum,       // physics.md 1.3
+    drag_in_air,         // physics.md 3.2, T4 and T5, m for a swing of 1 m
+    drag_on_ground,      // physics.md 3.4, T4
+    groove,              // physics.md 7.2
+    path_of_centre,      // physics.md 2.2, the angle rolled
     no_escape,           // T6, m into a line
     rest,                // T12, m/s
     piles,               // T13 and T14: share of the overlap of soft contacts

@@ -54,9 +54,9 @@ TEST_CASE("T9 pinned: article: at a wall the ball stops dead") {
     CHECK(run.state().position.x() == doctest::Approx(-0.5));
 }
 
-TEST_CASE("T9: a disc climbs a step from the speed that the notes ask for, and not below") {
+TEST_CASE("T9: a disc climbs a step from the speed of physics.md 5.4 on, and not below") {
     auto const grip = material(full_grip);
-    double const least = 1.31963;  // m/s, physics.md 2.11: r = 0.5, h = 0.1
+    double const least = 1.31963;  // m/s, physics.md 5.4: r = 0.5, h = 0.1
     for (Bound const& bound : bounds_of(Law::corner))
         for (double const share : {0.995, 1.005}) {
             double const speed = share * least;

@@ -68,7 +68,7 @@ double root_of(Function&& function, double low, double high) {
 }
 
 // Where a disc that starts at `angle` with `speed` on the hill begins to slip and where it leaves the ground: rolling
-// by the energy integral (physics.md 2.6), sliding by the closed form of the square of the angular speed (2.8).
+// by the energy integral (physics.md 3.5), sliding by the closed form of the angular speed's square (physics.md 3.8).
 struct Departure {
     double slip = 0, lift = 0;  // rad from the top
 };
@@ -188,7 +188,7 @@ TEST_CASE("T3: over a hill of radius 5 at 4 m/s a disc never leaves the ground")
 
 TEST_CASE("where a disc slips and leaves a convex hill") {
     // From rest at the top: cos = 4/7 with full grip (55.150 degrees), 2/3 without friction (48.190), and with mu = 0.6
-    // slip at 42.8355 and lift at 53.6946 (physics.md 2.6); here from a little beside the top.
+    // slip at 42.8355 and lift at 53.6946 (physics.md 3.5); here from a little beside the top.
     double const start = 0.001, speed = 1e-3;
     CHECK(departure_from_hill(full_grip, 0, 0).lift * 180 / pi == doctest::Approx(55.150).epsilon(1e-5));
     CHECK(departure_from_hill(0, 0, 0).lift * 180 / pi == doctest::Approx(48.190).epsilon(1e-5));

@@ -18,7 +18,7 @@ double kinetic(physics::State const& s, physics::Ball const& b) {
     return 0.5 * b.mass * (dot(s.velocity, s.velocity) + b.inertia * b.radius * b.radius * s.spin * s.spin);
 }
 
-// A disc that meets a floor without gravity, and what it must leave with (physics.md 1).
+// A disc that meets a floor without gravity, and what it must leave with (physics.md 1.2).
 struct Hit {
     physics::Scene scene;
     double tangent = 0;  // m/s

@@ -43,7 +43,7 @@ TEST_CASE("T1 pinned: article: a disc on a slope gains as a frictionless one, 9.
     Slope const slope = slope_with(pi / 6, disc_at(Vec2::Zero()), material(0.9));
     for (double const rate : {60.0, 240.0}) {
         physics::State const state = state_after(physics::Article{rate}, slope.scene, 2);
-        // g sin 30 t^2 / 2, and the half step that semi-implicit steps are ahead (physics.md 1a).
+        // g sin 30 t^2 / 2, and the half step that semi-implicit steps are ahead (physics.md 2.1).
         CHECK(way_down(slope, state) == doctest::Approx(0.5 * g * (2 + 1 / rate)).epsilon(1e-12));
     }
 }

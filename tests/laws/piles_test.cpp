@@ -21,8 +21,8 @@ physics::Scene column(std::vector<double> const& masses) {
     return scene_of({line({-50, 0}, {50, 0}, material(0.9))}, balls);
 }
 
-// The overlap with which a soft contact carries a weight, m (physics.md 4): weight / (m_eff (2 pi f)^2), where f is an
-// eighth of the 960 substeps a second.
+// The overlap with which a soft contact carries a weight, m (physics.md 9.2): weight / (m_eff (2 pi f)^2), where f is
+// an eighth of the 960 substeps a second.
 double overlap_under(double mass_above, double lower, double upper) {
     double const omega = 2 * pi * 120, effective = 1 / (1 / lower + 1 / upper);
     return mass_above * g / (effective * omega * omega);

@@ -5,17 +5,17 @@
 
 namespace bench {
 
-// Straight line, rolling or sliding as friction has it (physics.md 2.3, 2.4); gravity alone acts.
+// Straight line, rolling or sliding as friction has it (physics.md 3.3); gravity alone acts.
 std::vector<Moment> truth_on_line(Task const& task, geometry::Segment const& line);
 
-// Straight up and down over a level floor until it lies still (2.13).
+// Straight up and down over a level floor until it lies still (physics.md 6.1).
 std::vector<Moment> truth_of_bounces(Task const& task, double floor, double restitution);
 
-// On the drag spring, free (2.2).
+// On the drag spring, free (physics.md 3.2).
 std::vector<Moment> truth_on_spring(Task const& task);
 
-// Rolling with full grip inside or outside a circle, then in flight once nothing presses (2.6): Runge-Kutta of order 4
-// with this many steps a frame; the time of lift-off by bisection.
+// Rolling with full grip inside or outside a circle, then in flight once nothing presses (physics.md 3.5): Runge-Kutta
+// of order 4 with this many steps a frame; the time of lift-off by bisection.
 inline constexpr int integration_steps = 192;
 std::vector<Moment> truth_on_circle(Task const& task, geometry::Arc const& arc,
                                     int steps_per_frame = integration_steps);

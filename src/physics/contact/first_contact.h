@@ -41,7 +41,7 @@ struct SweepHit {
 //
 // A gap is the distance from the ball's rim to a piece. What is met is decided by gap and rate alone: a gap that is
 // closed, within touch_reach, and closes is met at once; one that is closed and opens, or stays, is met when it closes
-// again. docs/physics.md argues why nothing is left out.
+// again. docs/physics.md 12.3 argues why nothing is left out.
 SweepHit first_contact(Terrain const& terrain, Parabola const& path, double radius, double until, int own = -1);
 
 // The same for flight on the drag spring, between `from` and `until` seconds (finite) after the leg began.

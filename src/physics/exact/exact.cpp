@@ -71,7 +71,7 @@ private:
         std::iota(all.begin(), all.end(), 0);
         return all;
     }
-    // Phase changes before hits, lower balls first (physics.md 3.4).
+    // Phase changes before hits, lower balls first (physics.md 8.4).
     Next soonest() const {
         Next next;
         for (int i = 0; i < count(); ++i)

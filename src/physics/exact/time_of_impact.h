@@ -14,7 +14,7 @@ struct TimeOfImpact {
 };
 
 // The first time in [from, until] at which two balls at a distance of `reach` between centres close on each other.
-// Quadratic paths by the quartic's roots, others by conservative advancement (physics.md 3.1, 3.2), for which the
+// Quadratic paths by the quartic's roots, others by conservative advancement (physics.md 8.1, 8.2), for which the
 // search may end before `until`.
 TimeOfImpact time_of_impact(Leg const& a, Leg const& b, double reach, double from, double until);
 
@@ -23,7 +23,7 @@ struct Pair {
 };
 
 // Blows of all pairs at once: normal speeds are reversed by each pair's restitution, solved together, so that the order
-// of the balls does not matter; then friction, likewise (physics.md 1). States by ball.
+// of the balls does not matter; then friction, likewise (physics.md 8.3). States by ball.
 void solve_simultaneous_impacts(std::vector<Ball> const& balls, std::vector<Pair> const& pairs,
                                 std::vector<State>& states);
 

@@ -1,4 +1,4 @@
-// Impacts: what a blow does to a ball that meets terrain, and to two balls that meet (physics.md 1).
+// Impacts: what a blow does to a ball that meets terrain, and to two balls that meet (physics.md 1.2, 1.3).
 #pragma once
 
 #include <algorithm>

@@ -51,7 +51,7 @@ struct LineSwing {
 };
 
 // Round a circular track: the polar angle, and the ball's own angle, as power series in the time since the leg began.
-inline constexpr int series_order = 18;  // physics.md 2.9
+inline constexpr int series_order = 18;  // physics.md 3.9
 using Series = std::array<double, series_order + 1>;
 struct CircleSeries {
     Vec2 centre = Vec2::Zero();
@@ -64,7 +64,7 @@ struct CircleRun {
 };
 
 // Round a circular track as a pendulum of length rho: psi is the angle from where the field pulls to, counted in the
-// sense in which the ball set out (physics.md 2.6).
+// sense in which the ball set out (physics.md 3.7).
 struct Pendulum {
     Vec2 centre = Vec2::Zero();
     double rho = 0;             // m

@@ -92,7 +92,7 @@ std::vector<std::size_t> closing_supports(Struck const& struck) {
 }
 
 // Two supports that the ball closes on at once push together, so that neither is the first: a ball that falls into the
-// middle of a groove stays there (physics.md 2.12). False when that would take a pull.
+// middle of a groove stays there (physics.md 7.1). False when that would take a pull.
 bool strike_both(MotionContext const& context, Struck& struck, std::size_t i, std::size_t j) {
     ContactPoint const& a = struck.points[i];
     ContactPoint const& b = struck.points[j];
@@ -149,7 +149,7 @@ SurfaceState surface_state_on(MotionContext const& context, Struck const& struck
     return on_track;
 }
 
-// How fast the ball leaves the support, if so slowly that its bounces are summed (physics.md 2.13); nothing if it
+// How fast the ball leaves the support, if so slowly that its bounces are summed (physics.md 6.2); nothing if it
 // flies.
 std::optional<double> hop_on(MotionContext const& context, Struck const& struck, std::size_t i) {
     double const normal_speed = dot(struck.state.velocity, struck.points[i].normal);
@@ -209,7 +209,7 @@ bool holds(MotionContext const& context, State const& state, TwoForces const& ho
 }
 
 // A standing ball between two supports that hold it: at rest, or spinning until friction has stopped it
-// (physics.md 2.12).
+// (physics.md 7.2).
 std::optional<Transition> wedged(MotionContext const& context, Struck const& struck,
                                  std::vector<std::size_t> const& kept, double time) {
     double const rim = -context.ball.radius * struck.state.spin;

@@ -82,7 +82,7 @@ ContactMode free_roll_law(MotionContext const& context, Material const& material
     return mode;
 }
 
-// The couple of resistance is c N r, as long as grip carries it (physics.md 2.5).
+// The couple of resistance is c N r, as long as grip carries it (physics.md 4.2).
 ContactMode resisted_roll_law(MotionContext const& context, Material const& material, double sign) {
     double const k = context.ball.inertia;
     ContactMode mode;

@@ -43,7 +43,7 @@ double sway_speed(MotionContext const& context, State const& state);
 // The ball on a surface of full grip, which ends its slip at once by an impulse at the rim; as it is on any other.
 SurfaceState held_by_full_grip(MotionContext const& context, SurfaceState on_track);
 
-// Components of the field's acceleration where the ball is, and the normal force per mass (physics.md 2.6).
+// Components of the field's acceleration where the ball is, and the normal force per mass (physics.md 3.5).
 double tangent_acceleration(MotionContext const& context, SurfaceState const& on_track);
 double normal_force(MotionContext const& context, SurfaceState const& on_track);
 // Whether the surface pushes at all: without normal force there is no friction, and the ball flies, be it along the
@@ -51,7 +51,7 @@ double normal_force(MotionContext const& context, SurfaceState const& on_track);
 bool is_pressed(MotionContext const& context, SurfaceState const& on_track);
 
 // Tangential acceleration = alpha a_t + beta N, rim acceleration = gamma N: rolling, with or without resistance, and
-// sliding are the same law with other numbers (physics.md 2.3 to 2.5). It holds while each limit a_t * tangent + N *
+// sliding are the same law with other numbers (physics.md 4.1). It holds while each limit a_t * tangent + N *
 // normal stays above zero.
 struct Limit {
     double tangent = 0;
@@ -83,7 +83,7 @@ LegPlan plan_track(MotionContext const& context, SurfaceState const& on_track, C
 LegPlan plan_standing(State const& state, Contact contact, double spin_rate, double since);
 
 // The rest of a bounce sequence on one contact in closed form, from a take-off at normal speed `hop` so low that it
-// is not seen: the sum of infinitely many hops (physics.md 2.13).
+// is not seen: the sum of infinitely many hops (physics.md 6.2).
 LegPlan plan_settling(MotionContext const& context, SurfaceState const& on_track, double hop, double since);
 // Whether that sum is exact however high the hop: where the field is constant, and all bounces stick or all slip.
 bool sums_exactly(MotionContext const& context, SurfaceState const& on_track, double hop);

@@ -1,4 +1,4 @@
-// Circular tracks: the motion as power series in time, to machine precision in one stride (physics.md 2.6 to 2.9).
+// Circular tracks: the motion as power series in time, to machine precision in one stride (physics.md 3.5, 3.9).
 #include <array>
 #include <cmath>
 
@@ -54,7 +54,7 @@ geometry::SineCosine chain_terms(Series const& rate, Expansion const& x, int n) 
 Expansion expansion_of(MotionContext const& context, SurfaceState const& on_track, ContactMode const& mode) {
     Track const& track = on_track.track;
     Field const& field = context.field;
-    // The spring on a circle is a constant field and a radial pull (physics.md 2.7).
+    // The spring on a circle is a constant field and a radial pull (physics.md 3.6).
     Vec2 const constant = field.gravity + field.spring.stiffness * (field.target - track.origin);
     double const radial = field.spring.stiffness * track.rho;
     double const s = track.sense;

@@ -1,4 +1,4 @@
-// Straight tracks: constant acceleration, or a damped swing on the drag spring (physics.md 2.3, 2.4).
+// Straight tracks: constant acceleration, or a damped swing on the drag spring (physics.md 3.3, 3.4).
 #include <cmath>
 
 #include "geometry/polynomial.h"

@@ -1,5 +1,5 @@
 // Rolling on a circular track where nothing damps: a pendulum, in elliptic functions of the time. What ends it is known
-// by the angle at which it happens, and one elliptic integral gives the time (physics.md 2.6, 2.7).
+// by the angle at which it happens, and one elliptic integral gives the time (physics.md 3.7).
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +34,7 @@ public:
         : context_(context), on_track_(on_track), mode_(mode) {
         Track const& track = on_track.track;
         Field const& field = context.field;
-        // The spring on a circle is a constant field and a radial pull (physics.md 2.7).
+        // The spring on a circle is a constant field and a radial pull (physics.md 3.6).
         Vec2 const pull = field.gravity + field.spring.stiffness * (field.target - track.origin);
         field_ = geometry::length(pull);
         radial_ = field.spring.stiffness * track.rho;

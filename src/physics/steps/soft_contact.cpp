@@ -22,7 +22,7 @@ void push(SoftContact const& c, double normal, double tangent, SolverBody& first
     second.rim += second.inverse_inertia * tangent;
 }
 
-// Normal and tangent impulses do not disturb each other at one contact (physics.md 1), so both answer the same speeds.
+// Normal and tangent impulses do not disturb each other at one contact (physics.md 1.2): both answer the same speeds.
 void solve(SoftContact& c, double mass, double bias, double forgetting, std::vector<SolverBody>& bodies) {
     SolverBody& first = bodies[c.first];
     SolverBody& second = bodies[c.second];

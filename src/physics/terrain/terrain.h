@@ -83,7 +83,7 @@ inline constexpr Contact no_contact{};
 
 // The path of a ball's centre while it touches one side of a feature: a line, or a circle about `origin`.
 // The coordinate q (m) grows along the tangent t = (n.y, -n.x), with n the unit normal from terrain to ball:
-// a rolling ball's angle is then always angle0 - (q - q0)/r (physics.md 0).
+// a rolling ball's angle is then always angle0 - (q - q0)/r (physics.md 1.1).
 struct Track {
     bool straight = true;
     Vec2 origin = Vec2::Zero();  // line: the centre at q = 0; circle: the circle's centre

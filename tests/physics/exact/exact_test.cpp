@@ -64,7 +64,7 @@ TEST_CASE("asking more often does not change a bit") {
 }
 
 TEST_CASE("T15: a scene far from the origin takes the same path") {
-    // Doubles at 1e5 m are 1.5e-11 m apart; bounces and slip multiply that a little: 1e-9 r (physics.md 5, T15).
+    // Doubles at 1e5 m are 1.5e-11 m apart; bounces and slip multiply that a little: 1e-9 r (T15 in tests/laws).
     Vec2 const away(1e5, -1e5);
     StepContext here(course(0, Vec2::Zero(), 1, 0), {disc(0.5, {-2, 4.2})});
     StepContext there(course(0, away, 1, 0), {disc(0.5, Vec2(-2, 4.2) + away)});
@@ -121,7 +121,7 @@ TEST_CASE("elastic bounces among fixed discs: no overlap, no drift of energy") {
 }
 
 TEST_CASE("T11: bounces that never end come to rest at their limit") {
-    // Total time sqrt(2h/g)(1+e)/(1-e) (physics.md 2.13).
+    // Total time sqrt(2h/g)(1+e)/(1-e) (physics.md 6.1).
     for (double const e : {0.35, 0.8, 0.99}) {
         CAPTURE(e);
         double const height = 1.3;
