@@ -74,8 +74,8 @@ public:
             if (last) return;
             Vec2 const here = physics::at(legs[i], legs[i + 1].since).position;
             double const gap = length(physics::at(legs[i + 1], legs[i + 1].since).position - here);
-            // A joint may turn by as much as 1e-3 rad, over which the ball is carried at once.
-            double const carried = legs[i].contact.feature >= 0 && legs[i + 1].contact.feature >= 0 ? 1e-3 * ball_.radius : 0;
+            // A joint may turn by as much as 1e-3 rad, over which the ball is carried at once, be it that it lifts there.
+            double const carried = legs[i].contact.feature >= 0 ? 1e-3 * ball_.radius : 0;
             if (gap > limits_.jump * std::max(1.0, length(here)) + carried) findings_.note(Wrong::jump, gap, legs[i + 1].since);
         }
     }

@@ -137,6 +137,24 @@ TEST_CASE("dragged along the floor a disc swings slower by the root of 1 + k") {
     }
 }
 
+TEST_CASE("a spring that no longer moves a hoop against its resistance tears it loose where grip ends") {
+    // k = 1, c > 0: friction acts in full, the spring on the spin alone, until k |a| = mu (1 + k) g.
+    physics::Ball hoop = disc_at({0, 0.5}, {6, 0}, -12);
+    hoop.inertia = 1;
+    physics::Scene scene = floor_with(hoop, material(0.3, 0, 0.4));
+    scene.drag = {0.2, 0};
+    Run run(physics::Exact{}, scene);
+    physics::Vec2 const begin = run.state().position;
+    run.pull(0, begin - physics::Vec2(2, 0));
+    run.to(1);
+    auto const& events = run.history.events;
+    auto const slip = std::find_if(events.begin(), events.end(),
+                                   [](physics::Event const& e) { return e.kind == physics::EventKind::slip; });
+    REQUIRE(slip != events.end());
+    double const stiffness = 0.16 * pi * pi, way = 2 * 0.3 * g / stiffness - 2;
+    CHECK(slip->state.position.x() - begin.x() == doctest::Approx(way).epsilon(1e-12));
+}
+
 TEST_CASE("T4: pulled into the floor, at any stiffness, a ball stays within its reach") {
     for (physics::Method const& method :
          {physics::Method(physics::Exact{}), physics::Method(physics::Steps{}), physics::Method(physics::Article{})})

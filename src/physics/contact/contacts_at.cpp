@@ -101,7 +101,10 @@ private:
         int const count = static_cast<int>(std::ceil(std::abs(arc.sweep) / socket_spacing)) | 1;
         for (int i = 0; i < count; ++i) {
             auto const [sine, cosine] = geometry::sine_cosine(arc.from + arc.sweep * (i + 0.5) / count);
-            points.push_back({{index, inner_side}, Vec2(-cosine, -sine)});
+            ContactPoint point{{index, inner_side}, Vec2(-cosine, -sine)};
+            point.normals_from = arc.from + geometry::pi;
+            point.normals_turn = arc.sweep;
+            points.push_back(point);
         }
     }
 
@@ -125,12 +128,45 @@ private:
     double radius_;
 };
 
+// The normal of a socket nearest to a direction.
+Vec2 nearest_normal(ContactPoint const& socket, Vec2 const& direction) {
+    double const sign = socket.normals_turn < 0 ? -1 : 1, span = std::abs(socket.normals_turn);
+    double past = sign * (geometry::arctangent(direction.y(), direction.x()) - socket.normals_from);
+    past -= 2 * geometry::pi * std::floor(past / (2 * geometry::pi));
+    if (past <= span) return direction / geometry::length(direction);
+    double const turn = past - span < 2 * geometry::pi - past ? span : 0;
+    auto const [sine, cosine] = geometry::sine_cosine(socket.normals_from + sign * turn);
+    return {cosine, sine};
+}
+
+// The points with which features push that are touched by a ball that moves and is drawn so: for each socket those
+// against both.
+std::vector<ContactPoint> pushing(std::vector<ContactPoint> const& all, Vec2 const& velocity, Vec2 const& acceleration,
+                                  double rounding) {
+    std::vector<ContactPoint> points;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].normals_turn == 0) {
+            points.push_back(all[i]);
+            continue;
+        }
+        if (i > 0 && all[i - 1].contact == all[i].contact && all[i - 1].normals_turn != 0) continue;
+        auto const add = [&](Vec2 const& way, double least) {
+            if (!(geometry::length(way) > least)) return;
+            points.push_back(all[i]);
+            points.back().normal = nearest_normal(all[i], -way);
+        };
+        add(velocity, rounding);
+        add(acceleration, 0);
+    }
+    return points;
+}
+
+}  // namespace
+
 double second_derivative(ContactPoint const& point, Vec2 const& velocity, Vec2 const& acceleration) {
     double const along = geometry::cross(velocity, point.normal);
     return dot(acceleration, point.normal) + point.curvature * along * along;
 }
-
-}  // namespace
 
 std::vector<ContactPoint> contacts_at(Terrain const& terrain, Vec2 const& centre, double radius) {
     Finder finder(terrain, centre, radius);
@@ -158,7 +194,7 @@ std::vector<ContactPoint> kept_apart(std::vector<ContactPoint> const& all, Vec2 
         if (a_behind != b_behind) return b_behind;
         return second_derivative(a, velocity, acceleration) < second_derivative(b, velocity, acceleration);
     };
-    for (ContactPoint const& point : all) {
+    for (ContactPoint const& point : pushing(all, velocity, acceleration, rounding)) {
         auto const same = std::find_if(chosen.begin(), chosen.end(), [&](ContactPoint const& other) {
             return geometry::length(other.normal - point.normal) <= same_normal;
         });

@@ -16,7 +16,12 @@ struct ContactPoint {
     double curvature = 0;        // 1/m: of the way on which the ball keeps to it, positive where that turns away from n
     bool ends_forwards = false;  // the feature ends here for a ball that goes along t,
     bool ends_backwards = false;  // or against it
+    // Of a socket, an arc of the ball's own radius around its centre: where its normals begin, and how far they turn.
+    double normals_from = 0, normals_turn = 0;  // rad; no turn: one normal
 };
+
+// Of the gap, m/s^2: a . normal + curvature (v . t)^2, with t = (n.y, -n.x).
+double second_derivative(ContactPoint const& point, Vec2 const& velocity, Vec2 const& acceleration);
 
 // All of them, in order of features. From a socket, an arc of the ball's own radius around its centre, several between
 // its ends, where vertices or neighbours push: together they push wherever the arc does.

@@ -22,6 +22,7 @@ struct FreePath {
     Vec2 at(double t) const { return start.position + t * (start.velocity + (0.5 * t) * start.acceleration); }
     double speed(double t) const { return geometry::length(start.velocity + t * start.acceleration); }
     double pull(double) const { return geometry::length(start.acceleration); }
+    FreePath later(double t) const { return {{at(t), start.velocity + t * start.acceleration, start.acceleration}}; }
 };
 
 Box box_of_path(FreePath const& path, double from, double to) {

@@ -25,6 +25,12 @@ inline double still_speed(Vec2 const& centre, double radius, double speed, doubl
     return (rate_rounding + place_rounding(centre, radius)) * (speed + std::sqrt(pull * radius));
 }
 
+// A gap that closes but opens again before it is deeper than this has not closed, m. A search for contacts is twice as
+// lenient again.
+inline constexpr double least_dip = 1e-15;
+// How deep a gap of 0 with this rate (m/s, closing below 0) and this second derivative (m/s^2) becomes, m.
+inline double dip_of(double rate, double bend) { return bend > 0 ? rate * rate / (2 * bend) : never; }
+
 // c(t) = position + velocity t + acceleration t^2 / 2.
 struct Parabola {
     Vec2 position = Vec2::Zero();

@@ -31,6 +31,13 @@ struct SwingPath {
         terms[0] = now.position;
     }
 
+    SwingPath later(double t) const {
+        SwingPath path = *this;
+        for (int first = 0; first < order; ++first)
+            for (int i = order - 1; i >= first; --i) path.terms[i] += t * path.terms[i + 1];
+        return path;
+    }
+
     double window() const {
         double const size = window_truncation + truncation_share * (geometry::length(terms[0]) + reach);
         return longest_stride<order>(geometry::length(terms[order]), geometry::length(terms[order - 1]), size);

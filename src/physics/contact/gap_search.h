@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "geometry/polynomial.h"
 #include "physics/contact/first_contact.h"
 
@@ -14,6 +15,9 @@ namespace physics {
 //   to_line(normal, point, distance): (c(t) - point) . normal - distance, times a factor between 1 and 2
 //   to_circle(centre, rho): |c(t) - centre|^2 - rho^2, times the same factor
 //   at(t), speed(t), pull(t): the centre, and the sizes of its first and second derivatives
+// and may have
+//   later(t): the same path, counted from t on: where a gap is small its coefficients are without the rounding of far
+//   away
 // Coefficients stand lowest power first.
 template <typename Path>
 class GapSearch {
@@ -67,11 +71,12 @@ private:
     // Leaves the gap as the stretch should see it: closed gaps that open or stay are zero, and so are rates that are
     // rounding. `metre` is what a metre of the gap comes to.
     template <std::size_t N>
-    Stand begin(std::array<double, N>& gap, double metre, double t, double bend) const {
+    Stand stand_at(std::array<double, N>& gap, double metre, double t, double bend) const {
         if (gap[0] > touch_reach * metre) return Stand::open;
         double const speed = path_.speed(t), pull = path_.pull(t);
         double const still = 2 * still_speed(path_.at(t), radius_, speed, pull) * metre;
-        if (gap[1] < -still) return Stand::met;
+        bool const grazes = gap[1] < 0 && dip_of(gap[1], 2 * gap[2]) <= 2 * least_dip * metre;
+        if (gap[1] < -still && !grazes) return Stand::met;
         if (gap[0] < 0 && gap[0] >= -touch_reach * metre) gap[0] = 0;
         if (gap[1] > still) return Stand::opens;
         gap[1] = 0;
@@ -82,23 +87,28 @@ private:
     }
 
     // `bend` is the curvature of the gap's level lines, 1/m; `in_front(t)` whether the ball is on the contact's side.
-    template <std::size_t N, typename MakeDomain, typename InFront>
-    void look(std::array<double, N> const& gap, double metre, double bend, Contact contact, double until,
-              MakeDomain&& make_domain, InFront&& in_front) {
+    template <typename MakeGap, typename MakeDomain, typename InFront>
+    void look(MakeGap const& gap_of, double metre, double bend, Contact contact, double until, MakeDomain&& make_domain,
+              InFront&& in_front, double begin = 0) {
+        auto const gap = gap_of(path_);
         until = std::min(until, first.time);
+        if (begin > 0) {
+            if (begin < until) look_through(make_domain(), gap, gap_of, metre, bend, contact, until, in_front, begin);
+            return;
+        }
         if (gap[0] > touch_reach * metre) {
             auto const fall = geometry::first_fall(gap, until);
             if (!fall) return;
             Domain const domain = make_domain();
             if (domain.holds(*fall)) return offer(*fall, contact);
-            look_through(domain, gap, metre, bend, contact, until, in_front);
+            look_through(domain, gap, gap_of, metre, bend, contact, until, in_front);
             return;
         }
         // A gap that is closed, but not by the ball where it is, must open before it can close.
         // Into a socket, whose gap never opens, the ball comes past the ends.
         bool const comes_up = metre < 4 * socket_play || gap[0] >= -touch_reach * metre || in_front(0) ||
                               rises_to_touch(gap, metre, until);
-        if (comes_up) look_through(make_domain(), gap, metre, bend, contact, until, in_front);
+        if (comes_up) look_through(make_domain(), gap, gap_of, metre, bend, contact, until, in_front);
     }
 
     template <std::size_t N>
@@ -109,17 +119,26 @@ private:
     }
 
     // Stretch by stretch of the path within the domain.
-    template <std::size_t N, typename InFront>
-    void look_through(Domain const& domain, std::array<double, N> const& gap, double metre, double bend,
-                      Contact contact, double until, InFront&& in_front) {
+    template <std::size_t N, typename MakeGap>
+    std::array<double, N> gap_from(double t, std::array<double, N> const& gap, MakeGap const& gap_of) const {
+        if constexpr (requires { path_.later(t); })
+            return t == 0 ? gap : gap_of(path_.later(t));
+        else
+            return geometry::counted_from(t, gap);
+    }
+
+    template <std::size_t N, typename MakeGap, typename InFront>
+    void look_through(Domain const& domain, std::array<double, N> const& gap, MakeGap const& gap_of, double metre,
+                      double bend, Contact contact, double until, InFront&& in_front, double begin = 0) {
         std::array<double, most_edges * geometry::most_coefficients + 2> bounds;
         int count = 0;
-        bounds[count++] = 0;
+        bounds[count++] = begin;
         for (int i = 0; i < domain.count; ++i) {
             Linear edge = domain.edges[i];
             edge[0] -= touch_reach;
             geometry::Crossings const crossings = geometry::crossings(edge, until);
-            for (double const t : crossings.all()) bounds[count++] = t;
+            for (double const t : crossings.all())
+                if (t > begin) bounds[count++] = t;
         }
         std::sort(bounds.begin(), bounds.begin() + count);
         bounds[count++] = until;
@@ -134,8 +153,8 @@ private:
                                       geometry::length(path_.at(middle) - place) <= 4 * touch_reach;
             if (to < until && goes_nowhere) continue;
             if (!in_front(from)) continue;
-            std::array<double, N> from_here = geometry::counted_from(from, gap);
-            if (begin(from_here, metre, from, bend) == Stand::met) return offer(from, contact);
+            std::array<double, N> from_here = gap_from(from, gap, gap_of);
+            if (stand_at(from_here, metre, from, bend) == Stand::met) return offer(from, contact);
             auto const fall = geometry::first_fall(from_here, to - from);
             if (fall) return offer(from + *fall, contact);
         }
@@ -153,8 +172,8 @@ private:
         };
         for (int const side : {1, -1}) {
             Vec2 const normal = side * left;
-            look(path_.to_line(normal, segment.start, radius_), 1, 0, {index, side}, until, make_domain,
-                 [&](double t) { return geometry::dot(path_.at(t) - segment.start, normal) > 0; });
+            look([&](Path const& path) { return path.to_line(normal, segment.start, radius_); }, 1, 0, {index, side},
+                 until, make_domain, [&](double t) { return geometry::dot(path_.at(t) - segment.start, normal) > 0; });
         }
     }
 
@@ -170,14 +189,37 @@ private:
         };
         auto const distance = [&](double t) { return geometry::length(path_.at(t) - arc.centre); };
         double const outer = arc.radius + radius_, inner = arc.radius - radius_;
-        look(path_.to_circle(arc.centre, outer), 2 * outer, 1 / outer, {index, -inner_side}, until, make_domain,
-             [&](double t) { return distance(t) > arc.radius; });
+        look([&](Path const& path) { return path.to_circle(arc.centre, outer); }, 2 * outer, 1 / outer,
+             {index, -inner_side}, until, make_domain, [&](double t) { return distance(t) > arc.radius; });
         if (inner < -touch_reach) return;
         double const rho = std::max(inner, 0.0);
-        auto gap = path_.to_circle(arc.centre, rho);
+        auto const gap_of = [&](Path const& path) {
+            auto gap = path.to_circle(arc.centre, rho);
+            for (double& c : gap) c = -c;
+            return gap;
+        };
+        double const left = inner <= socket_play && distance(0) <= rho + socket_play
+                                ? look_from_socket({index, inner_side}, arc, rho, until)
+                                : 0;
+        look(
+            gap_of, 2 * rho + touch_reach, 1 / (rho + touch_reach), {index, inner_side}, until, make_domain,
+            [&](double t) { return distance(t) < arc.radius; }, left);
+    }
+
+    // A ball in a socket closes on it where it moves towards one of its points; of those of less than half a turn it is
+    // towards an end if towards any. The time when it has left.
+    double look_from_socket(Contact contact, geometry::Arc const& arc, double rho, double until) {
+        auto gap = path_.to_circle(arc.centre, rho + 4 * socket_play);
         for (double& c : gap) c = -c;
-        look(gap, 2 * rho + touch_reach, 1 / (rho + touch_reach), {index, inner_side}, until, make_domain,
-             [&](double t) { return distance(t) < arc.radius; });
+        double const left = geometry::first_fall(gap, until).value_or(until);
+        int const parts = 1 + static_cast<int>(std::abs(arc.sweep) / (2 * geometry::pi / 3));
+        for (int i = 0; i <= parts; ++i) {
+            auto const [sine, cosine] = geometry::sine_cosine(arc.from + arc.sweep * i / parts);
+            Vec2 const inward(-cosine, -sine);
+            look([&](Path const& path) { return path.to_line(inward, arc.centre, 0); }, 1, 0, contact, left,
+                 [] { return Domain{}; }, [](double) { return true; });
+        }
+        return left;
     }
 
     void look_at_end(int index, int vertex, geometry::Box const& near, double until) {
@@ -191,8 +233,8 @@ private:
             for (Vec2 const& direction : {v.first_edge, v.last_edge}) domain.add(path_.to_line(direction, v.point, 0));
             return domain;
         };
-        look(path_.to_circle(v.point, radius_), 2 * radius_, 1 / radius_, {feature, 1}, until, make_domain,
-             [](double) { return true; });
+        look([&](Path const& path) { return path.to_circle(v.point, radius_); }, 2 * radius_, 1 / radius_, {feature, 1},
+             until, make_domain, [](double) { return true; });
     }
 
     // Whether all of the way, and a moment beyond, lies beside one of the vertex's pieces: then the vertex is not

@@ -60,6 +60,22 @@ TrackEnd goes_on_to(EndKind kind, double q, int direction, Contact next, double 
     return {kind, q + direction * joint_slack, next, next_q + direction * joint_slack};
 }
 
+// A joint that turns towards the ball is passed where the two tracks cross: half the turn before the vertex where they
+// are straight, and from there by Newton's rule. `early` (m) is how far before the vertex that is.
+double crossing_of(Track const& track, Track const& ahead, double q, double early) {
+    double const begin = q;
+    for (int i = 0; i < 3; ++i) {
+        Vec2 const place = position_at(track, q);
+        double const there = nearest_coordinate(ahead, place);
+        Vec2 const normal = normal_at(ahead, there);
+        double const slope = geometry::dot(geometry::turned_right(normal_at(track, q)), normal);
+        double const step = geometry::dot(place - position_at(ahead, there), normal) / slope;
+        if (!(std::abs(q - step - begin) <= early)) return begin;
+        q -= step;
+    }
+    return q;
+}
+
 TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& track, double radius, int direction) {
     bool const at_start = ends_at_start(contact, direction);
     int const index = at_start ? terrain.start_vertex[contact.feature] : terrain.end_vertex[contact.feature];
@@ -76,10 +92,12 @@ TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& trac
     IncidentEdge const& neighbour = vertex.edges[turn.edge];
     Contact const next = beside(neighbour, !left);
     if (turn.away <= -joint_turn || !fits(terrain, next, radius)) return {EndKind::wall, q, next, 0};
-    // A joint that turns towards the ball is passed where the two tracks cross, half the turn before the vertex.
-    double const early = std::max(0.0, -turn.away) / 2 * radius;
     double const entry = coordinate_at(terrain, next, neighbour.at_start, radius);
-    return goes_on_to(EndKind::joint, q - direction * early, direction, next, entry == 0 ? early : entry - early);
+    double const early = std::max(0.0, -turn.away) / 2 * radius;
+    if (early <= joint_slack) return goes_on_to(EndKind::joint, q, direction, next, entry);
+    Track const ahead = track_of(terrain, next, radius);
+    double const cross = crossing_of(track, ahead, q - direction * early, early);
+    return goes_on_to(EndKind::joint, cross, direction, next, nearest_coordinate(ahead, position_at(track, cross)));
 }
 
 TrackEnd end_of_vertex(Terrain const& terrain, Contact contact, Track const& track, double radius, int direction) {
@@ -117,10 +135,21 @@ SweepHit obstacle_on(Terrain const& terrain, Track const& track, double q, doubl
     return first_contact(terrain, path, radius, until, own);
 }
 
-// Where the track goes on, what is met at its very end, as near as ends are told apart, is what it goes on to.
-bool is_passed_at(TrackEnd const& end, SweepHit const& hit, double until) {
+// The vertex in which the track of a piece ends, or -1.
+int vertex_at(Terrain const& terrain, Contact contact, int direction) {
+    if (terrain.is_vertex(contact.feature)) return -1;
+    int const index =
+        ends_at_start(contact, direction) ? terrain.start_vertex[contact.feature] : terrain.end_vertex[contact.feature];
+    return index < 0 ? -1 : terrain.feature_of_vertex(index);
+}
+
+// Where the track goes on, what is met at its very end, as near as ends are told apart, is what it goes on to, or the
+// vertex between. `early` (m) is how far before the track's own end it crosses the next, which begins as far before
+// that.
+bool is_passed_at(TrackEnd const& end, int vertex, SweepHit const& hit, double until, double early) {
     bool const goes_on = end.kind == EndKind::joint || end.kind == EndKind::corner;
-    return goes_on && hit.contact == end.next && hit.time >= until - 8 * touch_reach;
+    bool const is_next = hit.contact == end.next || (vertex >= 0 && hit.contact.feature == vertex);
+    return goes_on && is_next && hit.time >= until - early - 8 * touch_reach;
 }
 
 }  // namespace
@@ -133,7 +162,9 @@ TrackEnds ends_of_track(Terrain const& terrain, Contact contact, Track const& tr
         TrackEnd& end = direction == towards_low ? ends.low : ends.high;
         double const until = track.closed ? whole_turn : std::max(0.0, direction * (end.q - q));
         SweepHit const found = obstacle_on(terrain, track, q, radius, direction, until, contact.feature);
-        if (found.time > until || is_passed_at(end, found, until)) continue;
+        double const early = track.closed ? 0 : std::max(0.0, direction > 0 ? track.length - end.q : end.q);
+        int const vertex = vertex_at(terrain, contact, direction);
+        if (found.time > until || is_passed_at(end, vertex, found, until, early)) continue;
         end = {EndKind::wall, q + direction * found.time, found.contact, 0};
     }
     return ends;

@@ -23,6 +23,8 @@ constexpr int most_blows = 200;
 constexpr double parallel = 1e-9;
 // A depth up to here, in m, is the rounding of one bounce.
 constexpr double least_depth = 1e-11;
+// Closing speeds that differ by less than this share are equal.
+constexpr double equal_speeds = 1e-9;
 // Forces below this share of the field are rounding.
 constexpr double hold_rounding = 1e-12;
 // Of a pull, the share against which a further contact bars the way: those of the ends of one wall differ by less.
@@ -82,11 +84,14 @@ void rub(MotionContext const& context, State& state, Vec2 const& normal, double 
 }
 
 // The supports that the ball closes on, fastest first.
-std::vector<std::size_t> closing_supports(Struck const& struck) {
+std::vector<std::size_t> closing_supports(MotionContext const& context, Struck const& struck) {
     std::vector<std::size_t> closing;
     auto const speed = [&](std::size_t i) { return dot(struck.state.velocity, struck.points[i].normal); };
+    Vec2 const pull = acceleration_in(context.field, struck.state.position, struck.state.velocity);
     for (std::size_t i = 0; i < struck.points.size(); ++i)
-        if (speed(i) < -struck.still) closing.push_back(i);
+        if (speed(i) < -struck.still &&
+            dip_of(speed(i), second_derivative(struck.points[i], struck.state.velocity, pull)) > least_dip)
+            closing.push_back(i);
     std::stable_sort(closing.begin(), closing.end(), [&](std::size_t i, std::size_t j) { return speed(i) < speed(j); });
     return closing;
 }
@@ -120,19 +125,37 @@ bool strike_both(MotionContext const& context, Struck& struck, std::size_t i, st
     return true;
 }
 
+// Whether rounding alone tells which of two supports the ball closes on faster.
+bool are_equal(Struck const& struck, std::size_t i, std::size_t j) {
+    double const a = dot(struck.state.velocity, struck.points[i].normal);
+    double const b = dot(struck.state.velocity, struck.points[j].normal);
+    return std::abs(a - b) <= equal_speeds * std::abs(a);
+}
+
+void choose_supports(MotionContext const& context, Struck& struck) {
+    Vec2 const pull = acceleration_in(context.field, struck.state.position, struck.state.velocity);
+    struck.points = kept_apart(struck.touched, struck.state.velocity, pull, struck.rounding);
+}
+
 // Blows until nothing closes; what would go on for ever ends with the ball standing.
 void strike_all(MotionContext const& context, Struck& struck) {
+    bool const in_socket = std::any_of(struck.touched.begin(), struck.touched.end(),
+                                       [](ContactPoint const& s) { return s.normals_turn != 0; });
     for (int blow = 0;; ++blow) {
-        std::vector<std::size_t> const closing = closing_supports(struck);
+        // A socket pushes against the velocity there is.
+        if (in_socket && blow > 0) choose_supports(context, struck);
+        std::vector<std::size_t> const closing = closing_supports(context, struck);
         if (closing.empty()) return;
         if (blow == most_blows) break;
-        if (closing.size() == 2 && strike_both(context, struck, closing[0], closing[1])) continue;
+        if (closing.size() > 1 && (closing.size() == 2 || are_equal(struck, closing[0], closing[1])) &&
+            strike_both(context, struck, closing[0], closing[1]))
+            continue;
         strike(context, struck, closing.front());
     }
     // To and fro between two walls that face each other it is only across them that it stands.
-    Vec2 const normal = struck.points[closing_supports(struck).front()].normal;
+    Vec2 const normal = struck.points[closing_supports(context, struck).front()].normal;
     struck.state.velocity -= dot(struck.state.velocity, normal) * normal;
-    if (!closing_supports(struck).empty()) struck.state.velocity = Vec2::Zero();
+    if (!closing_supports(context, struck).empty()) struck.state.velocity = Vec2::Zero();
 }
 
 SurfaceState surface_state_on(MotionContext const& context, Struck const& struck, std::size_t i) {
@@ -215,6 +238,20 @@ std::optional<Transition> wedged(MotionContext const& context, Struck const& str
     double const rim = -context.ball.radius * struck.state.spin;
     bool const spins = std::abs(rim) > struck.rounding;
     double const slip_sign = !spins ? 0 : rim < 0 ? 1 : -1;
+    Vec2 const load = -acceleration_in(context.field, struck.state.position, Vec2::Zero());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        ContactPoint const& socket = struck.points[kept[i]];
+        if (socket.normals_turn == 0 || dot(load, socket.normal) < (1 - parallel) * geometry::length(load)) continue;
+        State state = struck.state;
+        state.velocity = Vec2::Zero();
+        double const mu = material_of(context.terrain, socket.contact.feature).friction;
+        if (std::isinf(mu) || !spins) state.spin = 0;
+        double const rim_rate = state.spin == 0 ? 0 : slip_sign * mu * geometry::length(load) / context.ball.inertia;
+        Transition transition;
+        transition.plan = plan_standing(state, socket.contact, -rim_rate / context.ball.radius, time);
+        if (state.spin == 0) transition.contact_events.push_back({EventKind::rest, socket.contact});
+        return transition;
+    }
     for (std::size_t i = 0; i < kept.size(); ++i) {
         for (std::size_t j = i + 1; j < kept.size(); ++j) {
             ContactPoint const& a = struck.points[kept[i]];
@@ -228,8 +265,9 @@ std::optional<Transition> wedged(MotionContext const& context, Struck const& str
             if (grips_fully || !spins) state.spin = 0;
             TwoForces const hold = hold_of(context, state, a, b, grips_fully ? 0 : slip_sign);
             if (!holds(context, state, hold)) continue;
-            double const rim_rate =
-                grips_fully ? 0 : slip_sign * (mu_a * hold.first + mu_b * hold.second) / context.ball.inertia;
+            // What holds by rounding alone does not rub.
+            double const pushed = mu_a * std::max(0.0, hold.first) + mu_b * std::max(0.0, hold.second);
+            double const rim_rate = grips_fully || !spins ? 0 : slip_sign * pushed / context.ball.inertia;
             Transition transition;
             transition.plan = plan_standing(state, a.contact, -rim_rate / context.ball.radius, time);
             if (state.spin == 0) transition.contact_events.push_back({EventKind::rest, a.contact});
@@ -345,6 +383,9 @@ std::optional<Transition> passing(MotionContext const& context, Struck const& st
             });
             if (barred) continue;
             if (auto const on = between_walls(context, struck, i, j, time)) return *on;
+            bool const are_parallel =
+                radius * std::abs(struck.points[i].curvature + struck.points[j].curvature) <= 1e-6;
+            if (auto const on = are_parallel ? way_out(context, struck, kept, time) : std::nullopt) return *on;
             Vec2 const sum = struck.points[i].normal + struck.points[j].normal;
             double const way = radius * geometry::length(sum) / 2 + touch_reach / 8;
             Transition transition;
@@ -390,8 +431,10 @@ bool keeps_to_track(MotionContext const& context, SurfaceState const& on_track, 
 Transition kept_transition(MotionContext const& context, Struck& struck, std::vector<std::size_t> const& kept,
                            double time) {
     if (kept.size() > 1) return among_several(context, struck, kept, time);
-    if (!fits(context.terrain, struck.points[kept.front()].contact, context.ball.radius))
-        return stuck(context, struck, kept, time);
+    if (!fits(context.terrain, struck.points[kept.front()].contact, context.ball.radius)) {
+        auto const held = wedged(context, struck, kept, time);
+        return held ? *held : stuck(context, struck, kept, time);
+    }
     double const hop = *hop_on(context, struck, kept.front());
     SurfaceState const on_track = surface_state_on(context, struck, kept.front());
     if (hop == 0) return ride_from(context, on_track, time);
@@ -405,11 +448,6 @@ Transition kept_transition(MotionContext const& context, Struck& struck, std::ve
         return transition;
     }
     return ride_from(context, on_track, time);
-}
-
-void choose_supports(MotionContext const& context, Struck& struck) {
-    Vec2 const pull = acceleration_in(context.field, struck.state.position, struck.state.velocity);
-    struck.points = kept_apart(struck.touched, struck.state.velocity, pull, struck.rounding);
 }
 
 Struck struck_at(MotionContext const& context, State const& state, Contact known) {
@@ -441,6 +479,7 @@ Struck struck_at(MotionContext const& context, State const& state, Contact known
 Transition resolved(MotionContext const& context, State const& state, double time, Contact known) {
     Struck struck = struck_at(context, state, known);
     strike_all(context, struck);
+    if (geometry::length(struck.state.velocity) <= struck.rounding) struck.state.velocity = Vec2::Zero();
     choose_supports(context, struck);
     Vec2 const pull = acceleration_in(context.field, struck.state.position, struck.state.velocity);
     if (stands_among_several(context, struck)) struck.state.velocity = Vec2::Zero();

@@ -110,7 +110,7 @@ ContactMode limited_roll_law(MotionContext const& context, Material const& mater
     if (spare > 0)
         add(mode, {pull * k, -spare, LegEndCause::goes_on, ModeHint::resisting_fully});
     else
-        add(mode, {pull, 0, LegEndCause::goes_on, ModeHint::none});
+        add(mode, {pull, 0, LegEndCause::goes_on, pull > 0 ? ModeHint::pulled_backwards : ModeHint::pulled_forwards});
     return mode;
 }
 
@@ -173,7 +173,8 @@ ContactMode contact_mode_for(MotionContext const& context, SurfaceState const& o
     if (c == 0) return free_roll_law(context, material);
     bool const limited = hint == ModeHint::resisting_at_the_limit ||
                          (hint != ModeHint::resisting_fully && k * std::abs(a) > grip - c * force);
-    return limited ? limited_roll_law(context, material, way, sign_of(a)) : resisted_roll_law(context, material, way);
+    double const pull = hint == ModeHint::pulled_forwards ? 1 : hint == ModeHint::pulled_backwards ? -1 : sign_of(a);
+    return limited ? limited_roll_law(context, material, way, pull) : resisted_roll_law(context, material, way);
 }
 
 LegPlan plan_standing(State const& state, Contact contact, double spin_rate, double since) {

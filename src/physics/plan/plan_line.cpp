@@ -38,6 +38,17 @@ LegPlan steady_line(MotionContext const& context, SurfaceState const& on_track, 
               LegEndCause::grips);
     else if (mode.sign != 0)
         offer(soonest, first_quadratic_fall(mode.sign * on_track.speed, mode.sign * a, 0, never), LegEndCause::stops);
+    // The pull of a spring that does not move the ball (mode.alpha = 0) changes with its place and speed all the same.
+    if (context.field.pulled)
+        for (int i = 0; i < mode.limit_count; ++i) {
+            Limit const& limit = mode.limits[i];
+            geometry::Oscillator const& spring = context.field.spring;
+            double const jerk = -spring.stiffness * on_track.speed - 2 * spring.decay * a;
+            double const at_hand = limit.tangent * tangent_acceleration(context, on_track) + limit.normal * force;
+            offer(soonest,
+                  first_quadratic_fall(at_hand, limit.tangent * jerk, -limit.tangent * spring.stiffness * a / 2, never),
+                  limit);
+        }
     return plan_until(soonest, on_track, mode,
                       Ballistic{from, a * on_track.track.along, -rim_rate / context.ball.radius}, since);
 }

@@ -11,7 +11,7 @@ MotionContext PlannedBalls::context(int i) const {
     BallPlan const& plan = world_.plans[i];
     bool const has_a_limit = !field.pulled && !plan.watch_mixed && !plan.watch_elastic;
     int const most = plan.watch_mixed ? crowd_events : crowd_events / 2;
-    bool const crowded = alone_ && plan.watch_count > most && !has_a_limit;
+    bool const crowded = alone_ && (plan.watch_count > most || plan.frame_count > frame_events) && !has_a_limit;
     return {scene_.terrain, scene_.balls[i], field, crowded};
 }
 
@@ -45,6 +45,11 @@ bool PlannedBalls::watched(int i) {
         plan.watch_mixed = false;
         plan.watch_elastic = false;
     }
+    if (world_.time - plan.frame_since > frame_span) {
+        plan.frame_since = world_.time;
+        plan.frame_count = 0;
+    }
+    ++plan.frame_count;
     plan.watch_mixed = plan.watch_mixed || plan.end.next != plan.watch_contact;
     plan.watch_elastic = plan.watch_elastic || is_elastic(plan.end.next);
     return ++plan.watch_count <= watch_events;
@@ -122,7 +127,7 @@ bool PlannedBalls::hop(int i) {
     BallPlan const& plan = world_.plans[i];
     Contact const floor = plan.corridor.contact;
     if (plan.end.cause != LegEndCause::meets || floor.feature < 0) return false;
-    if (plan.watch_elastic && plan.watch_count > crowd_events / 2) return false;
+    if (plan.watch_elastic && (plan.watch_count > crowd_events / 2 || plan.frame_count > frame_events)) return false;
     auto const next = next_hop(plan.corridor, scene_.terrain, scene_.balls[i],
                                std::get<Ballistic>(world_.legs[i].motion), plan.end.time);
     if (next) set_out(i, next->state, no_contact, next->duration, EventKind::bounce, floor);

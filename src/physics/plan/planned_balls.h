@@ -12,9 +12,11 @@ inline constexpr int watch_events = 1000;   // these in that span for one of sev
 
 // A lone ball is never handed over. Bounces on one surface under gravity alone have a limit, to which they are summed;
 // others, between two surfaces, under the pull of the spring or where all but nothing is lost, end where they crowd:
-// after so many of them within watch_span nothing bounces back. Where more events than stall_events fall in stall_span,
-// the ball creeps on (transition.h).
+// after so many of them within watch_span, or within frame_span, nothing bounces back. Where more events than
+// stall_events fall in stall_span, the ball creeps on (transition.h).
 inline constexpr int crowd_events = 50;
+inline constexpr double frame_span = 1.0 / 60;  // s
+inline constexpr int frame_events = 200;
 inline constexpr double most_summed = 0.9999;  // restitution: above it a sum of bounces counts as endless
 inline constexpr double stall_span = 1e-10;    // s
 inline constexpr int stall_events = 40;

@@ -96,7 +96,7 @@ struct Track {
 };
 // A concave arc no wider than the ball, or wider by less than this, has no track: fits() says so. A ball at the centre
 // of such an arc touches all of it, as in a socket.
-inline constexpr double socket_play = 1e-6;  // m, as near as ends are one
+inline constexpr double socket_play = 1.25e-6;  // m, more than ends that are one: a play of 1e-6 as drawn is within it
 bool fits(Terrain const& terrain, Contact contact, double radius);
 Track track_of(Terrain const& terrain, Contact contact, double radius);
 

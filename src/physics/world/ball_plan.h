@@ -22,7 +22,15 @@ enum class LegEndCause {
 };
 
 // What is known of the moment just after an event that the speeds alone, equal at the limit, do not tell.
-enum class ModeHint { none, slipping_forwards, slipping_backwards, resisting_fully, resisting_at_the_limit };
+enum class ModeHint {
+    none,
+    slipping_forwards,
+    slipping_backwards,
+    resisting_fully,
+    resisting_at_the_limit,
+    pulled_forwards,  // rolling against a resistance beyond what grip carries
+    pulled_backwards
+};
 
 // How a leg ends, as far as is known.
 struct LegEnd {
@@ -71,7 +79,9 @@ struct BallPlan {
     Contact watch_contact;       // the first that was met, and whether
     bool watch_mixed = false;    // others were, or
     bool watch_elastic = false;  // one that loses all but nothing
-    double stall_since = 0;      // s, the same
+    double frame_since = 0;      // s, the same over frame_span
+    int frame_count = 0;
+    double stall_since = 0;  // s, the same
     int stall_count = 0;
     double creep_since = 0;  // s, the same of creeping
     int creep_count = 0;
