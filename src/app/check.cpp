@@ -1,5 +1,4 @@
 // smb2d check: what is wrong or suspicious in a level, with file and line; what a sound one needs of a method.
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,9 +30,8 @@ std::string clause_of(physics::Reason const& reason, level::Level const& level) 
 }
 
 // What a sound level asks of a method, and which one is chosen. No line number: these are no findings.
-std::vector<std::string> notes_on(std::string const& file, game::MethodWish const& wish) {
+std::vector<std::string> notes_on(std::string const& file, level::Level const& level, game::MethodWish const& wish) {
     std::vector<std::string> notes;
-    level::Level const level = level::read_level(file);
     for (level::Finding const& remark : level.remarks)
         notes.push_back(file + ": note: line " + std::to_string(remark.line) + ": " + remark.text);
     for (std::string const& note : level::notes_on(level)) notes.push_back(file + ": note: " + note);
@@ -44,35 +42,31 @@ std::vector<std::string> notes_on(std::string const& file, game::MethodWish cons
     return notes;
 }
 
-bool has_fault(std::vector<level::Finding> const& findings) {
-    return std::any_of(findings.begin(), findings.end(), [](level::Finding const& f) { return f.fault; });
-}
-
 int check(CheckOptions const& options) {
     game::MethodWish const wish = wish_from(options.method);
     int status = done;
     std::string unreadable;
     for (std::string const& file : options.files) {
         stop_if_interrupted();
-        std::vector<level::Finding> findings;
-        std::vector<std::string> notes;
+        level::Checked checked;
         try {
-            findings = level::findings_in(file);
-            if (!has_fault(findings)) notes = notes_on(file, wish);
+            checked = level::checked_level(file);
         } catch (std::runtime_error const& error) {
             unreadable += (unreadable.empty() ? "" : "; ") + std::string(error.what());
+            continue;
         }
         Output output;
-        for (level::Finding const& finding : findings) {
+        for (level::Finding const& finding : checked.findings) {
             output.add(line_for(file, finding));
             output.end_line();
         }
-        for (std::string const& line : notes) {
-            output.add(line);
-            output.end_line();
-        }
+        if (checked.level)
+            for (std::string const& line : notes_on(file, *checked.level, wish)) {
+                output.add(line);
+                output.end_line();
+            }
         output.flush();
-        if (has_fault(findings)) status = fault_found;
+        if (!checked.level) status = fault_found;
     }
     if (!unreadable.empty()) throw std::runtime_error(unreadable);
     return status;

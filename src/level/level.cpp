@@ -16,10 +16,14 @@ Level read_level(std::string const& file) {
     return std::move(reading.level);
 }
 
-std::vector<Finding> findings_in(std::string const& file) {
+Checked checked_level(std::string const& file) {
     Reading reading = reading_of(file);
     if (reading.in_place) add_suspicions(reading);
-    return reading.report.by_line();
+    Checked checked{reading.report.by_line(), std::nullopt};
+    bool const is_sound = std::none_of(checked.findings.begin(), checked.findings.end(),
+                                       [](Finding const& finding) { return finding.fault; });
+    if (is_sound) checked.level = std::move(reading.level);
+    return checked;
 }
 
 }  // namespace level

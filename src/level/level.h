@@ -85,7 +85,12 @@ struct Level {
 // Throws std::runtime_error("file:line: element: what") for the first fault (docs/levels.md).
 Level read_level(std::string const& file);
 
-// Every fault that can be reached, then what is legal but suspicious; in order of lines.
-std::vector<Finding> findings_in(std::string const& file);
+// What check knows of a file.
+struct Checked {
+    std::vector<Finding> findings;  // every fault that can be reached, and what is legal but suspicious; by line
+    std::optional<Level> level;     // where there is no fault
+};
+// Throws std::runtime_error where the file cannot be opened.
+Checked checked_level(std::string const& file);
 
 }  // namespace level

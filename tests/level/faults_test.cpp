@@ -210,7 +210,7 @@ TEST_CASE("what is not XML, or not a drawing") {
 
 TEST_CASE("a file that cannot be opened is named with the reason") {
     CHECK_THROWS_WITH(level::read_level("/nowhere/x.svg"), "/nowhere/x.svg: cannot be read: No such file or directory");
-    CHECK_THROWS_WITH(level::findings_in("/tmp"), "/tmp: cannot be read: Is a directory");
+    CHECK_THROWS_WITH(level::checked_level("/tmp"), "/tmp: cannot be read: Is a directory");
 }
 
 TEST_CASE("deep overlaps are faults, slight ones are not") {

@@ -34,7 +34,7 @@ bool is_well_behaved(std::string const& text) {
         what = error.what();
     }
     bool faulty = false;
-    for (auto const& finding : level::findings_in(file.path())) {
+    for (auto const& finding : level::checked_level(file.path()).findings) {
         faulty = faulty || finding.fault;
         if (finding.line < 1 || finding.text.find('\n') != std::string::npos) return false;
     }
