@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "geometry/box_tree.h"
 #include "view/ground.h"
@@ -11,18 +12,32 @@ namespace view {
 
 namespace {
 
-constexpr double flatness = 0.0005;       // m: how far a chord may lie from its arc
 constexpr double grass_spacing = 0.12;    // m
 constexpr double ribbon_thickness = 0.3;  // m: the body of terrain that encloses nothing
 
-// Between points of an edge, m: fine enough for grass, and coarser where a drawing has so much of it that nobody sees
-// it grow.
-double spacing_for(level::Level const& level) {
-    constexpr double most_points = 200'000;
-    double length = 0;
+// A chord over the length s of an arc lies s^2 / 8 r off its middle.
+double longest_chord(geometry::Arc const& arc, double flatness) {
+    return std::sqrt(8 * flatness * std::max(arc.radius, flatness));
+}
+
+// Of the points along edges, m: near enough for grass and to the eye, and coarser where a drawing has so much of it that
+// nobody sees it.
+struct Fineness {
+    double spacing = grass_spacing;
+    double flatness = unseen_flatness;
+};
+
+Fineness fineness_for(level::Level const& level) {
+    constexpr double most_points = 200'000, most_chords = 1'000'000;
+    double length = 0, chords = 0;
     for (level::Outline const& outline : level.outlines)
-        for (geometry::Curve const& curve : outline.curves) length += geometry::length_of(curve);
-    return std::max(grass_spacing, length / most_points);
+        for (geometry::Curve const& curve : outline.curves) {
+            double const along = geometry::length_of(curve);
+            length += along;
+            if (auto const* arc = std::get_if<geometry::Arc>(&curve)) chords += along / longest_chord(*arc, unseen_flatness);
+        }
+    double const excess = std::max(1.0, chords / most_chords);
+    return {std::max(grass_spacing, length / most_points), unseen_flatness * excess * excess};
 }
 
 void reverse_side(std::vector<Vec2>& left) {
@@ -149,40 +164,87 @@ Body solid_body(Ring const& ring) {
     return body;
 }
 
-// Solids and the holes in them: a ring inside an odd number of others bounds the earth around it.
-void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::vector<bool> const& room) {
-    std::vector<int> body_of(rings.size(), -1);
-    geometry::BoxTree const tree(boxes_of(rings));
-    auto const surrounders = [&](std::size_t i) {
-        std::vector<std::size_t> around;
-        for (std::size_t const j : overlapping(tree, {rings[i][0], rings[i][0]})) {
-            if (j == i || room[j]) continue;
-            bool const within = std::all_of(rings[i].begin(), rings[i].end(),
-                                            [&](Vec2 const& point) { return contains(rings[j], point); });
-            if (within) around.push_back(j);
+// Which rings lie in which: a ring inside an odd number of others is a hole.
+class Nesting {
+public:
+    Nesting(std::vector<Ring> const& rings, std::vector<bool> const& room)
+        : rings_(rings), boxes_(boxes_of(rings)), tree_(boxes_), places_(rings.size()) {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < rings.size(); ++i) {
+            places_[i].area = std::abs(signed_area(rings[i]));
+            if (!room[i]) order.push_back(i);
         }
-        return around;
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return places_[a].area > places_[b].area; });
+        for (std::size_t at = 0; at < order.size(); ++at) {
+            if (!place_in_one_of(std::span(order).subspan(at - std::min(at, recent), std::min(at, recent)), order[at]))
+                place_among_all(order[at]);
+        }
+    }
+
+    bool is_hole(std::size_t ring) const { return places_[ring].around % 2 == 1; }
+    std::optional<std::size_t> solid_around(std::size_t ring) const { return places_[ring].solid; }
+
+private:
+    static constexpr std::size_t recent = 8;
+    struct Place {
+        double area = 0;                   // m^2
+        int around = -1;                   // how many rings surround it; -1 = not known yet, or a room
+        std::optional<std::size_t> solid;  // the smallest solid around it
     };
-    std::vector<std::size_t> holes;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        if (room[i]) continue;
-        if (surrounders(i).size() % 2 == 1) {
-            holes.push_back(i);
-            continue;
+
+    bool is_within(std::size_t inner, std::size_t outer) const {
+        geometry::Box const &a = boxes_[inner], &b = boxes_[outer];
+        bool const fits = (a.low.array() >= b.low.array()).all() && (a.high.array() <= b.high.array()).all();
+        return fits && std::all_of(rings_[inner].begin(), rings_[inner].end(),
+                                   [&](Vec2 const& point) { return contains(rings_[outer], point); });
+    }
+
+    // Of rings in the order of their areas the smallest that surrounds this one tells what else does: so nests of many
+    // rings are placed without asking all of them.
+    bool place_in_one_of(std::span<std::size_t const> larger, std::size_t ring) {
+        for (auto outer = larger.rbegin(); outer != larger.rend(); ++outer) {
+            if (!is_within(ring, *outer)) continue;
+            Place const& place = places_[*outer];
+            places_[ring].around = place.around + 1;
+            places_[ring].solid = is_hole(*outer) ? place.solid : *outer;
+            return true;
         }
-        body_of[i] = static_cast<int>(bodies.size());
+        return false;
+    }
+
+    void place_among_all(std::size_t ring) {
+        Place place{places_[ring].area, 0, std::nullopt};
+        for (std::size_t const outer : overlapping(tree_, {rings_[ring][0], rings_[ring][0]})) {
+            if (outer == ring || places_[outer].around < 0 || !is_within(ring, outer)) continue;
+            ++place.around;
+            bool const nearer = !place.solid || places_[outer].area < places_[*place.solid].area;
+            if (!is_hole(outer) && nearer) place.solid = outer;
+        }
+        places_[ring] = place;
+    }
+
+    std::vector<Ring> const& rings_;
+    std::vector<geometry::Box> boxes_;
+    geometry::BoxTree tree_;
+    std::vector<Place> places_;
+};
+
+// Solids and the holes in them, which bound the earth around them.
+void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::vector<bool> const& room) {
+    std::vector<std::size_t> body_of(rings.size());
+    Nesting const nesting(rings, room);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        if (room[i] || nesting.is_hole(i)) continue;
+        body_of[i] = bodies.size();
         bodies.push_back(solid_body(rings[i]));
     }
-    for (std::size_t hole : holes) {
-        std::size_t parent = hole;
-        double smallest = 1e300;
-        for (std::size_t j : surrounders(hole)) {
-            double const area = std::abs(signed_area(rings[j]));
-            if (body_of[j] >= 0 && area < smallest) parent = j, smallest = area;
-        }
-        if (parent == hole) continue;
-        bodies[static_cast<std::size_t>(body_of[parent])].rings.push_back(rings[hole]);
-        Body edge = solid_body(rings[hole]);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        if (room[i] || !nesting.is_hole(i)) continue;
+        auto const solid = nesting.solid_around(i);
+        if (!solid) continue;
+        bodies[body_of[*solid]].rings.push_back(rings[i]);
+        Body edge = solid_body(rings[i]);
         reverse_side(edge.into);
         edge.rings.clear();
         edge.girth = 1;
@@ -196,10 +258,10 @@ std::vector<Body> bodies_of(level::Level const& level) {
     std::vector<Body> bodies;
     std::vector<Ring> closed;
     OpenOutlines open;
-    double const spacing = spacing_for(level);
+    Fineness const fineness = fineness_for(level);
     for (level::Outline const& outline : level.outlines) {
         if (outline.painted) continue;
-        Ring points = points_along(outline, spacing);
+        Ring points = points_along(outline, fineness.spacing, fineness.flatness);
         if (points.size() < 2) continue;
         if (outline.closed && points.size() > 2)
             closed.push_back(std::move(points));
@@ -220,13 +282,13 @@ std::vector<Body> bodies_of(level::Level const& level) {
     return bodies;
 }
 
-std::vector<Vec2> points_along(level::Outline const& outline, double spacing) {
+std::vector<Vec2> points_along(level::Outline const& outline, double spacing, double flatness) {
     std::vector<Vec2> points;
     for (geometry::Curve const& curve : outline.curves) {
         double const length = geometry::length_of(curve);
         double chord = spacing;
         auto const* arc = std::get_if<geometry::Arc>(&curve);
-        if (arc) chord = std::min(chord, std::sqrt(8 * flatness * std::max(arc->radius, flatness)));
+        if (arc) chord = std::min(chord, longest_chord(*arc, flatness));
         int const pieces = static_cast<int>(std::clamp(std::ceil(length / chord), 1.0, 20000.0));
         for (int i = 0; i < pieces; ++i) {
             double const share = static_cast<double>(i) / pieces;
