@@ -37,6 +37,14 @@ std::size_t find_outside(std::string_view css, std::string_view marks, std::size
     return css.size();
 }
 
+std::size_t find_escape(std::string_view css) {
+    for (std::size_t at = 0; at < css.size(); ++at) {
+        if (css[at] == '\\') return at;
+        if (css[at] == '"' || css[at] == '\'') at = end_of_string(css, at);
+    }
+    return css.size();
+}
+
 bool is_name(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
         return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || (c & 0x80);
@@ -99,6 +107,8 @@ std::vector<Declaration> declarations_in(std::string_view css) {
 std::vector<std::string> Sheet::add(std::string text) {
     std::string_view const css = texts_.emplace_back(without_comments(text));
     std::vector<std::string> ignored;
+    if (auto const escape = find_escape(css); escape < css.size())
+        ignored.push_back("an escape, " + quoted(css.substr(escape)) + ",");
     for (std::size_t at = 0; at < css.size();) {
         at = std::min(css.find_first_not_of(" \t\r\n\f", at), css.size());
         bool const html_comment = css.substr(at, 4) == "<!--" || css.substr(at, 3) == "-->";
@@ -121,6 +131,8 @@ std::vector<std::string> Sheet::add(std::string text) {
 
 void Sheet::add_rule(std::string_view selectors, std::string_view block, std::vector<std::string>& ignored) {
     std::vector<Declaration> const declarations = declarations_in(block);
+    if (find_outside(block, "{", 0) < block.size())
+        ignored.push_back("a rule within the rule of " + quoted(trimmed(selectors)));
     for (std::size_t at = 0; at <= selectors.size();) {
         std::size_t const end = find_outside(selectors, ",", at);
         std::string_view const selector = trimmed(selectors.substr(at, end - at));

@@ -7,6 +7,7 @@
 #include "level/encoding.h"
 #include "level/hash.h"
 #include "level/namespaces.h"
+#include "level/numbers.h"
 #include "level/roles.h"
 #include "level/scan.h"
 
@@ -57,7 +58,7 @@ Document::Document(std::string const& file, Report& report) {
 void Document::parse(Report& report) {
     // In place: the scan is done with the text, and the lines are known.
     pugi::xml_parse_result const result =
-        tree_.load_buffer_inplace(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+        tree_.load_buffer_inplace(text_.data(), text_.size(), pugi::parse_default | pugi::parse_pi, pugi::encoding_utf8);
     if (!result) {
         report.fault(lines_.line_at(result.offset), "not XML: " + reason(result));
         return;
@@ -75,11 +76,30 @@ void Document::parse(Report& report) {
     }
     if (own == Namespace::none)
         report.warn(line_of(root_), "svg: without xmlns=\"http://www.w3.org/2000/svg\" browsers show nothing");
+    report_stylesheets(report);
     report_doubled_attributes(report);
     for (Foreign const& foreign : without_foreign(root_))
         if (!roles_in(foreign.classes).empty())
             report.warn(lines_.line_at(foreign.offset),
                         quoted(foreign.name) + ": is of another namespace and counts for nothing");
+}
+
+std::string_view Document::reference_of(pugi::xml_node node) {
+    std::string_view reference;
+    for (pugi::xml_attribute const attribute : node.attributes()) {
+        std::string_view const name = attribute.name();
+        if (name == "href") return trimmed(attribute.value());
+        if (name.ends_with(":href")) reference = trimmed(attribute.value());
+    }
+    return reference;
+}
+
+// Rules that browsers would fetch.
+void Document::report_stylesheets(Report& report) const {
+    for (pugi::xml_node const node : tree_.children())
+        if (node.type() == pugi::node_pi && std::string_view(node.name()) == "xml-stylesheet")
+            report.warn(line_of(node),
+                        "xml-stylesheet: is ignored: nothing is fetched; put its rules into a style element");
 }
 
 void Document::report_doubled_attributes(Report& report) const {

@@ -26,8 +26,12 @@ public:
         return node.type() == pugi::node_element ? std::string_view(node.name()) : std::string_view();
     }
 
+    // The href of a use or gradient, plain or of XLink's namespace, however that is prefixed.
+    static std::string_view reference_of(pugi::xml_node node);
+
 private:
     void parse(Report& report);
+    void report_stylesheets(Report& report) const;
     void report_doubled_attributes(Report& report) const;
 
     std::string hash_;

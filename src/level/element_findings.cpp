@@ -7,6 +7,10 @@ namespace level {
 
 namespace {
 
+std::string no_effect_of(Style const& style) {
+    return "the style property " + std::string(style.ignored) + " has no effect; make it an attribute";
+}
+
 bool is_data(std::string_view name) { return name.substr(0, 5) == "data-"; }
 
 }  // namespace
@@ -36,9 +40,10 @@ void Elements::inspect_name(pugi::xml_node node, std::string const& name) {
                                                                      name_of(*role) + " (Inkscape: Edit > XML Editor)");
 }
 
-void Elements::inspect_group(pugi::xml_node node, std::string_view tag) {
+void Elements::inspect_group(pugi::xml_node node, std::string_view tag, Style const& style) {
     int const line = document_.line_of(node);
     std::string const name(tag);
+    if (!style.ignored.empty()) reading_.report.warn(line, name + ": " + no_effect_of(style));
     inspect_class(node, name);
     auto const roles = roles_in(node.attribute("class").value());
     bool const is_root = node == document_.root();
@@ -70,10 +75,9 @@ void Elements::inspect_group(pugi::xml_node node, std::string_view tag) {
 // What changes the picture in a browser and not what balls touch.
 void Elements::inspect_look(Element const& element) {
     Style const& style = element.context.style;
-    if (!same_word(style.visibility, "visible")) warn(element, "is hidden and takes part all the same");
+    if (!same_word(style.visibility, "visible") || style.opacity <= 0) warn(element, "is hidden and takes part all the same");
     if (style.clipped) warn(element, "a clip path or mask has no effect on it: it counts whole");
-    if (!style.geometry.empty())
-        warn(element, "the style property " + quoted(style.geometry) + " has no effect; make it an attribute");
+    if (!style.ignored.empty()) warn(element, no_effect_of(style));
     for (pugi::xml_node const child : element.node.children()) {
         std::string_view const name = Document::tag_of(child);
         if (name == "set" || name.substr(0, 7) == "animate") warn(element, quoted(name) + " has no effect on it");

@@ -56,7 +56,7 @@ ReferenceBox Elements::reference_box(pugi::xml_node node, std::string_view tag, 
     bool const known = same_word(box, "fill-box") || same_word(box, "content-box");
     if (!known || !is_shape(tag))
         throw Broken("transform-box of " + quoted(tag) + " must be view-box, got " + quoted(box));
-    auto const outlines = traced(shape_of(node, tag), Affine{}, curve_tolerance).outlines;
+    auto const outlines = traced(shape_of(node, tag, context.viewport.size), Affine{}, curve_tolerance).outlines;
     if (outlines.empty()) return {};
     geometry::Box const extent = box_of(outlines);
     return {extent.low, extent.high - extent.low};
@@ -148,7 +148,7 @@ void Elements::read_terrain(Element const& element) {
     physics::Material const material{number(element, Data::friction, usual.friction),
                                      number(element, Data::restitution, usual.restitution),
                                      number(element, Data::rolling_resistance, usual.rolling_resistance)};
-    Traced traced_shape = traced_within_limits(element, shape_of(element.node, element.tag));
+    Traced traced_shape = traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
     if (traced_shape.outlines.empty())
         warn(element, "is empty");
     else if (traced_shape.dropped > 0)
@@ -196,7 +196,7 @@ void Elements::paint_terrain(Element const& element, std::vector<Outline>& outli
 
 physics::DiscRegion Elements::disc(Element const& element) const {
     Affine const& map = element.context.to_world;
-    Shape const shape = shape_of(element.node, element.tag);
+    Shape const shape = shape_of(element.node, element.tag, element.context.viewport.size);
     if (auto const found = disc_of(shape, map)) return *found;
     std::string const why = why_not_round(shape, map, element.tag);
     if (std::holds_alternative<Ellipse>(shape)) throw Broken(why);
@@ -240,7 +240,7 @@ void Elements::read_banana(Element const& element) {
 }
 
 void Elements::read_goal(Element const& element) {
-    auto const regions = goal_regions(element.node, element.tag, element.context.to_world);
+    auto const regions = goal_regions(element.node, element.tag, element.context.to_world, element.context.viewport.size);
     if (regions.empty()) return warn(element, "is empty");
     for (physics::Region const& region : regions) {
         physics::Sensor sensor;
@@ -257,7 +257,7 @@ void Elements::read_decoration(Element const& element) {
     try {
         Style style = element.context.style;
         if (element.tag == "line") style.fill = "none";
-        auto const traced_shape = traced_within_limits(element, shape_of(element.node, element.tag));
+        auto const traced_shape = traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
         for (Decoration const& part : decorations_of(traced_shape.outlines, style, scale_of(map), paints_))
             reading_.level.decorations.push_back(part);
     } catch (Unsupported const& unsupported) {

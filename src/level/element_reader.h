@@ -39,7 +39,7 @@ public:
         : document_(document), reading_(reading), paints_(document.root(), styles) {}
 
     // Faults of a group's, or the root's, own attributes.
-    void inspect_group(pugi::xml_node node, std::string_view tag);
+    void inspect_group(pugi::xml_node node, std::string_view tag, Style const& style);
 
     // Adds what the element is to the level, or its faults to the report.
     void read(pugi::xml_node node, std::string_view tag, Context const& context);

@@ -51,15 +51,13 @@ std::vector<Region> parts_of(Outline const& outline) {
     return regions;
 }
 
-std::vector<Region> line_region(pugi::xml_node node, Affine const& map) {
-    Vec2 const from = placed(map, {length_in(node, "x1"), length_in(node, "y1")}),
-               to = placed(map, {length_in(node, "x2"), length_in(node, "y2")});
+std::vector<Region> line_region(std::vector<Vec2> const& ends, Affine const& map) {
+    Vec2 const from = placed(map, ends[0]), to = placed(map, ends[1]);
     if (from == to) return {};
     return {physics::LineRegion{from, to}};
 }
 
-std::vector<Region> rect_region(pugi::xml_node node, Affine const& map) {
-    std::vector<Vec2> corners = corners_of_rect(node);
+std::vector<Region> rect_region(std::vector<Vec2> corners, Affine const& map) {
     for (Vec2& corner : corners) corner = placed(map, corner);
     double const area = corners.size() < 4 ? 0 : geometry::cross(corners[1] - corners[0], corners[3] - corners[0]);
     if (area == 0) return {};
@@ -69,10 +67,12 @@ std::vector<Region> rect_region(pugi::xml_node node, Affine const& map) {
 
 }  // namespace
 
-std::vector<Region> goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world) {
-    if (tag == "line") return line_region(node, to_world);
-    if (tag == "rect" && !has_round_corners(node)) return rect_region(node, to_world);
-    Shape const shape = shape_of(node, tag);
+std::vector<Region> goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world,
+                                 Vec2 const& viewport) {
+    if (tag == "line") return line_region(ends_of_line(node, viewport), to_world);
+    if (tag == "rect" && !has_round_corners(node, viewport))
+        return rect_region(corners_of_rect(node, viewport), to_world);
+    Shape const shape = shape_of(node, tag, viewport);
     if (auto const disc = disc_of(shape, to_world)) return {*disc};
     if (tag == "circle") throw Broken(why_not_round(shape, to_world, tag));
     std::vector<Region> regions;

@@ -12,6 +12,7 @@
 namespace level {
 
 // None where the shape has no extent. Throws Broken for what cannot be a goal, saying what to do.
-std::vector<physics::Region> goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world);
+std::vector<physics::Region> goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world,
+                                          Vec2 const& viewport);
 
 }  // namespace level

@@ -90,6 +90,17 @@ void remark_on_strokes(Reading& reading) {
                " m is wider than 2 % of the ball, which touches its middle" + more);
 }
 
+void remark_on_look(Reading& reading, Document const& document, Walk const& walk) {
+    if (walk.elements().met_gradients())
+        remark(reading.level, document.line_of(document.root()), "svg: gradients are shown as their mean colour");
+    for (Undrawn const& undrawn : walk.undrawn()) {
+        std::string const more = undrawn.elements > 1 ? ", and " + std::to_string(undrawn.elements - 1) + " more" : "";
+        remark(reading.level, document.line_of(undrawn.first),
+               std::string(Document::tag_of(undrawn.first)).append(": ").append(undrawn.property) + " is not drawn" +
+                   more);
+    }
+}
+
 }  // namespace
 
 Reading reading_of(std::string const& file) {
@@ -113,8 +124,7 @@ Reading reading_of(std::string const& file) {
     if (reading.in_place) reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
     if (reading.in_place) settle_starts(reading);
     remark_on_strokes(reading);
-    if (walk.elements().met_gradients())
-        remark(reading.level, document.line_of(document.root()), "svg: gradients are shown as their mean colour");
+    remark_on_look(reading, document, walk);
     return reading;
 }
 

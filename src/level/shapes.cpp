@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "level/css.h"
 #include "level/faults.h"
+#include "level/lengths.h"
 #include "level/limits.h"
 #include "level/numbers.h"
 
@@ -12,8 +14,27 @@ namespace level {
 
 namespace {
 
-double positive_length(pugi::xml_node node, char const* attribute) {
-    double const x = length_in(node, attribute);
+// A length in user units; `whole` is what per cent are of. Throws Broken naming the attribute.
+double length_in(pugi::xml_node node, char const* attribute, double whole) {
+    std::string_view const text = trimmed(node.attribute(attribute).value());
+    if (text.empty() && !node.attribute(attribute)) return 0;
+    Parsed const plain = parsed_number(text);
+    if (plain.syntax == Syntax::good) return plain.value;
+    if (plain.syntax == Syntax::not_finite)
+        throw Broken(std::string(attribute) + " must be finite, got " + quoted(text));
+    try {
+        double const length = length_of_text(text, whole);
+        if (std::isfinite(length)) return length;
+    } catch (Broken const&) {
+    }
+    throw Unsupported(std::string(attribute) + " must be a number, or one with px, mm, cm, in, pt, pc, Q or %, got " +
+                      quoted(text));
+}
+
+// What per cent of a length that is neither across nor down are of: SVG 2, section 8.9.
+double mean_extent(Vec2 const& viewport) { return geometry::length(viewport) / std::sqrt(2); }
+
+double positive(pugi::xml_node node, char const* attribute, double x) {
     if (!(x > 0))
         throw Unsupported(std::string(attribute) + " must be greater than 0, got " +
                           quoted(node.attribute(attribute).value()));
@@ -21,8 +42,8 @@ double positive_length(pugi::xml_node node, char const* attribute) {
 }
 
 // A rect without width or height is not drawn; a negative one is a mistake.
-double size_of_rect(pugi::xml_node node, char const* attribute) {
-    double const x = length_in(node, attribute);
+double not_negative(pugi::xml_node node, char const* attribute, double whole) {
+    double const x = length_in(node, attribute, whole);
     if (x < 0)
         throw Unsupported(std::string(attribute) + " must not be negative, got " +
                           quoted(node.attribute(attribute).value()));
@@ -60,21 +81,23 @@ Subpath rounded_rect(std::vector<Vec2> const& corners, double rx, double ry) {
     return subpath;
 }
 
-// A corner's radius that is missing, or "auto", is the other one.
-double corner_radius(pugi::xml_node node, char const* attribute, char const* other) {
+// The radii across and down of an ellipse or of a rect's corners: one that is missing, or "auto", is the other.
+Vec2 radii_across_and_down(pugi::xml_node node, Vec2 const& viewport) {
     auto const given = [&](char const* name) {
         std::string_view const text = trimmed(node.attribute(name).value());
-        return !text.empty() && text != "auto";
+        return !text.empty() && !same_word(text, "auto");
     };
-    if (given(attribute)) return length_in(node, attribute);
-    return given(other) ? length_in(node, other) : 0;
+    bool const has_x = given("rx"), has_y = given("ry");
+    double const rx = has_x ? length_in(node, "rx", viewport.x()) : 0;
+    double const ry = has_y ? length_in(node, "ry", viewport.y()) : rx;
+    return {has_x ? rx : ry, ry};
 }
 
-Shape rect(pugi::xml_node node) {
-    std::vector<Vec2> const points = corners_of_rect(node);
+Shape rect(pugi::xml_node node, Vec2 const& viewport) {
+    std::vector<Vec2> const points = corners_of_rect(node, viewport);
     if (points.empty()) return std::vector<Subpath>();
-    if (has_round_corners(node))
-        return std::vector{rounded_rect(points, corner_radius(node, "rx", "ry"), corner_radius(node, "ry", "rx"))};
+    Vec2 const radii = radii_across_and_down(node, viewport);
+    if (radii.x() > 0 && radii.y() > 0) return std::vector{rounded_rect(points, radii.x(), radii.y())};
     return std::vector{closed_to_start(joined(points))};
 }
 
@@ -102,18 +125,6 @@ bool is_shape(std::string_view tag) {
            tag == "circle" || tag == "ellipse";
 }
 
-double length_in(pugi::xml_node node, char const* attribute) {
-    std::string_view const all = trimmed(node.attribute(attribute).value());
-    if (all.empty() && !node.attribute(attribute)) return 0;
-    std::string_view text = all;
-    if (text.size() > 2 && text.substr(text.size() - 2) == "px") text.remove_suffix(2);
-    Parsed const parsed = parsed_number(text);
-    if (parsed.syntax == Syntax::good) return parsed.value;
-    if (parsed.syntax == Syntax::not_finite)
-        throw Broken(std::string(attribute) + " must be finite, got " + quoted(all));
-    throw Unsupported(std::string(attribute) + " must be a number, got " + quoted(all));
-}
-
 std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale) {
     std::string all, beyond;
     auto const add = [](std::string& list, char const* name) {
@@ -127,29 +138,37 @@ std::string far_coordinates(pugi::xml_node node, std::string_view tag, double sc
     return beyond.empty() ? all : beyond;
 }
 
-bool has_round_corners(pugi::xml_node node) {
-    return corner_radius(node, "rx", "ry") > 0 && corner_radius(node, "ry", "rx") > 0;
+bool has_round_corners(pugi::xml_node node, Vec2 const& viewport) {
+    Vec2 const radii = radii_across_and_down(node, viewport);
+    return radii.x() > 0 && radii.y() > 0;
 }
 
-std::vector<Vec2> corners_of_rect(pugi::xml_node node) {
-    double const x = length_in(node, "x"), y = length_in(node, "y");
-    double const width = size_of_rect(node, "width"), height = size_of_rect(node, "height");
+std::vector<Vec2> corners_of_rect(pugi::xml_node node, Vec2 const& viewport) {
+    double const x = length_in(node, "x", viewport.x()), y = length_in(node, "y", viewport.y());
+    double const width = not_negative(node, "width", viewport.x()), height = not_negative(node, "height", viewport.y());
     if (width == 0 || height == 0) return {};
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
 
-Shape shape_of(pugi::xml_node node, std::string_view tag) {
-    if (tag == "rect") return rect(node);
+std::vector<Vec2> ends_of_line(pugi::xml_node node, Vec2 const& viewport) {
+    return {{length_in(node, "x1", viewport.x()), length_in(node, "y1", viewport.y())},
+            {length_in(node, "x2", viewport.x()), length_in(node, "y2", viewport.y())}};
+}
+
+Shape shape_of(pugi::xml_node node, std::string_view tag, Vec2 const& viewport) {
+    if (tag == "rect") return rect(node, viewport);
+    auto const centre = [&] {
+        return Vec2(length_in(node, "cx", viewport.x()), length_in(node, "cy", viewport.y()));
+    };
     if (tag == "circle") {
-        double const r = positive_length(node, "r");
-        return Ellipse{{length_in(node, "cx"), length_in(node, "cy")}, r, r};
+        double const r = positive(node, "r", length_in(node, "r", mean_extent(viewport)));
+        return Ellipse{centre(), r, r};
     }
-    if (tag == "ellipse")
-        return Ellipse{
-            {length_in(node, "cx"), length_in(node, "cy")}, positive_length(node, "rx"), positive_length(node, "ry")};
-    if (tag == "line")
-        return std::vector{
-            joined({{length_in(node, "x1"), length_in(node, "y1")}, {length_in(node, "x2"), length_in(node, "y2")}})};
+    if (tag == "ellipse") {
+        Vec2 const radii = radii_across_and_down(node, viewport);
+        return Ellipse{centre(), positive(node, "rx", radii.x()), positive(node, "ry", radii.y())};
+    }
+    if (tag == "line") return std::vector{joined(ends_of_line(node, viewport))};
     if (tag == "path") return read_or_name("d", [&] { return parsed_path(node.attribute("d").value()); });
     auto subpaths = read_or_name("points", [&] { return parsed_points(node.attribute("points").value()); });
     if (tag == "polygon")

@@ -20,21 +20,21 @@ using Shape = std::variant<std::vector<Subpath>, Ellipse>;
 
 bool is_shape(std::string_view tag);
 
-// Throws Broken("d: unknown command x at ..."), and for a radius or size that is not positive or a length in a unit
-// other than px.
-Shape shape_of(pugi::xml_node node, std::string_view tag);
+// `viewport` is the size that per cent are of. Throws Broken("d: unknown command x at ..."), and Unsupported for a radius
+// or size that is not positive and a length in a unit that depends on fonts or windows.
+Shape shape_of(pugi::xml_node node, std::string_view tag, Vec2 const& viewport);
 
-// The four corners of a rect in their order. Throws Broken as shape_of does.
-std::vector<Vec2> corners_of_rect(pugi::xml_node node);
+// The four corners of a rect in their order. Throws as shape_of does.
+std::vector<Vec2> corners_of_rect(pugi::xml_node node, Vec2 const& viewport);
 
-// A length in user units, plain or in px. Throws Broken naming the attribute.
-double length_in(pugi::xml_node node, char const* attribute);
+// Both ends of a line element. Throws as shape_of does.
+std::vector<Vec2> ends_of_line(pugi::xml_node node, Vec2 const& viewport);
 
 // Which attributes place a shape too far away under a transform that enlarges by `scale`: those that are beyond the
 // limit by themselves, else all that say where the shape is. "cx, cy"
 std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale);
 
-// Whether a rect has round corners. Throws Broken as shape_of does.
-bool has_round_corners(pugi::xml_node node);
+// Whether a rect has round corners. Throws as shape_of does.
+bool has_round_corners(pugi::xml_node node, Vec2 const& viewport);
 
 }  // namespace level

@@ -54,6 +54,12 @@ Function const& function_named(std::string_view name) {
     throw Broken("unknown function " + quoted(name));
 }
 
+// In an attribute names have one spelling, and translateX, scaleY and skew are not known.
+bool is_of_attributes(std::string_view name) {
+    constexpr std::string_view names[] = {"matrix", "translate", "scale", "rotate", "skewX", "skewY"};
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
 Affine rotation(std::vector<double> const& numbers) {
     geometry::SineCosine const turn = turn_by_degrees(numbers[0]);
     Affine const about_origin{turn.cosine, turn.sine, -turn.sine, turn.cosine, 0, 0};
@@ -78,34 +84,79 @@ Affine map_of(std::string_view name, std::vector<double> const& n) {
     throw Broken(std::string(name) + " has " + std::to_string(count) + " numbers, which is not its number");
 }
 
-double argument(Cursor& cursor, Kind kind, Vec2 const& whole) {
-    switch (kind) {
-        case Kind::x:
-            return length_at(cursor, whole.x());
-        case Kind::y:
-            return length_at(cursor, whole.y());
-        case Kind::angle:
-            return angle_at(cursor);
-        case Kind::number:
-            break;
-    }
-    return cursor.number();
-}
+class TransformReader {
+public:
+    TransformReader(std::string_view text, Vec2 const& whole) : cursor_(trimmed(text)), whole_(whole) {}
 
-std::vector<double> arguments(Cursor& cursor, Function const& function, Vec2 const& whole) {
-    cursor.skip_spaces();
-    if (cursor.next() != '(') throw Broken("( was expected");
-    std::vector<double> numbers;
-    cursor.skip_spaces();
-    while (cursor.peek() != ')') {
-        if (!numbers.empty()) cursor.skip_separator();
-        Kind const kind = function.kinds[std::min<std::size_t>(numbers.size(), 2)];
-        numbers.push_back(argument(cursor, kind, whole));
-        cursor.skip_spaces();
+    Transform read() {
+        for (std::string_view const word : {"none", "initial", "unset", "revert"})
+            if (same_word(cursor_.rest(), word)) return {};
+        while (!cursor_.at_end()) {
+            std::string_view const name = function_name();
+            if (!is_of_attributes(name)) transform_.in_attribute = false;
+            Function const& function = function_named(name);
+            std::vector<double> const numbers = arguments(function);
+            if (function.name == "rotate" && numbers.size() > 1) transform_.in_style = false;
+            transform_.map = composed(transform_.map, map_of(function.name, numbers));
+            cursor_.skip_spaces();
+            if (cursor_.peek() != ',') continue;
+            transform_.in_style = false;
+            cursor_.skip_separator();
+            if (cursor_.at_end()) throw Broken("a function was expected after the comma");
+        }
+        return transform_;
     }
-    cursor.next();
-    return numbers;
-}
+
+private:
+    std::string_view function_name() {
+        std::string_view const rest = cursor_.rest();
+        std::string_view const name = rest.substr(0, rest.find_first_of("( \t\r\n,)"));
+        bool const begins_with_letter = !cursor_.word().empty();
+        if (!begins_with_letter) throw Broken("a function was expected, got " + quoted(rest));
+        if (cursor_.rest().size() + name.size() != rest.size()) throw Broken("unknown function " + quoted(name));
+        return name;
+    }
+
+    std::vector<double> arguments(Function const& function) {
+        cursor_.skip_spaces();
+        if (cursor_.next() != '(') throw Broken("( was expected");
+        std::vector<double> numbers;
+        cursor_.skip_spaces();
+        while (cursor_.peek() != ')') {
+            if (!numbers.empty()) {
+                if (cursor_.peek() != ',') transform_.in_style = false;
+                cursor_.skip_separator();
+            }
+            numbers.push_back(argument(function.kinds[std::min<std::size_t>(numbers.size(), 2)]));
+            cursor_.skip_spaces();
+        }
+        cursor_.next();
+        return numbers;
+    }
+
+    double argument(Kind kind) {
+        std::string_view const before = cursor_.rest();
+        double const plain = cursor_.number();
+        std::size_t const digits = before.size() - cursor_.rest().size();
+        if (kind == Kind::number) {
+            if (cursor_.peek() != '%') return plain;
+            cursor_.next();
+            transform_.in_attribute = false;
+            return plain / 100;
+        }
+        cursor_ = Cursor(before);
+        double const value = kind == Kind::angle ? angle_at(cursor_)
+                                                 : length_at(cursor_, kind == Kind::x ? whole_.x() : whole_.y());
+        bool const has_unit = before.size() - cursor_.rest().size() > digits;
+        if (has_unit) transform_.in_attribute = false;
+        if (!has_unit && plain != 0) transform_.in_style = false;
+        return value;
+    }
+
+    Cursor cursor_;
+    Vec2 whole_;
+    Transform transform_;
+};
 
 // One coordinate of an origin: a side of the box, its middle, or a length from its corner.
 struct Coordinate {
@@ -153,27 +204,11 @@ bool is_similarity(Affine const& map) {
     return turns || mirrors;
 }
 
-Affine parsed_transform(std::string_view text, Vec2 const& whole) {
-    Cursor cursor(trimmed(text));
-    Affine map;
-    for (std::string_view const word : {"none", "initial", "unset", "revert"})
-        if (same_word(cursor.rest(), word)) return map;
-    while (!cursor.at_end()) {
-        std::string_view const name = cursor.word();
-        if (name.empty()) throw Broken("a function was expected, got " + quoted(cursor.rest()));
-        Function const& function = function_named(name);
-        map = composed(map, map_of(function.name, arguments(cursor, function, whole)));
-        cursor.skip_spaces();
-        if (cursor.peek() != ',') continue;
-        cursor.skip_separator();
-        if (cursor.at_end()) throw Broken("a function was expected after the comma");
-    }
-    return map;
-}
+Transform parsed_transform(std::string_view text, Vec2 const& whole) { return TransformReader(text, whole).read(); }
 
 Affine parsed_function(std::string_view name, std::string_view arguments, Vec2 const& whole) {
-    std::string const text = std::string(name) + "(" + std::string(arguments) + ")";
-    return same_word(arguments, "none") ? Affine{} : parsed_transform(text, whole);
+    if (arguments.empty() || same_word(arguments, "none")) return {};
+    return parsed_transform(std::string(name) + "(" + std::string(arguments) + ")", whole).map;
 }
 
 Vec2 parsed_origin(std::string_view text, ReferenceBox const& box) {

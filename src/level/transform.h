@@ -34,13 +34,18 @@ struct ReferenceBox {
     Vec2 corner = Vec2::Zero(), size = Vec2::Zero();
 };
 
-// A list of functions as attributes and style sheets write them. Throws Broken.
-Affine parsed_transform(std::string_view text, Vec2 const& whole = Vec2::Zero());
+struct Transform {
+    Affine map;
+    bool in_attribute = true, in_style = true;  // whether browsers read it there, too
+};
+
+// A list of functions as attributes or style sheets write them; `whole` is what per cent are of. Throws Broken.
+Transform parsed_transform(std::string_view text, Vec2 const& whole);
 
 // "8 4.5", "50% 2px", "left", "bottom right" ... as a point. Throws Broken.
 Vec2 parsed_origin(std::string_view text, ReferenceBox const& box);
 
-// What the properties translate, rotate and scale write without the name of a function. Throws Broken.
+// What the properties translate, rotate and scale write without the name of a function; nothing is none. Throws Broken.
 Affine parsed_function(std::string_view name, std::string_view arguments, Vec2 const& whole);
 
 // The map about a point in place of the origin.

@@ -33,8 +33,7 @@ double share_before(std::string_view align, std::size_t at) {
 
 // SVG 2, section 8.2: the transform that fits a viewBox into a viewport.
 Affine fitted(std::vector<double> const& box, Vec2 const& size, std::string_view fit) {
-    auto words = word_list(fit);
-    if (!words.empty() && words[0] == "defer") words.erase(words.begin());
+    auto const words = word_list(fit);
     std::string_view const align = words.empty() ? std::string_view("xMidYMid") : words[0];
     double sx = size.x() / box[2], sy = size.y() / box[3];
     Vec2 before = Vec2::Zero();
@@ -59,7 +58,9 @@ std::optional<Viewport> viewport_of(pugi::xml_node node, pugi::xml_node use, Vec
     if (!given) return Viewport{placed_at, size, Vec2::Zero()};
     auto const box = parsed_list(given.value());
     if (!box || box->size() != 4) throw Broken("viewBox must be four finite numbers, got " + quoted(given.value()));
-    if (!((*box)[2] > 0 && (*box)[3] > 0)) return std::nullopt;
+    if ((*box)[2] < 0 || (*box)[3] < 0)
+        throw Broken("viewBox must not have a negative width or height, got " + quoted(given.value()));
+    if ((*box)[2] == 0 || (*box)[3] == 0) return std::nullopt;
     return Viewport{composed(placed_at, fitted(*box, size, node.attribute("preserveAspectRatio").value())),
                     {(*box)[2], (*box)[3]},
                     {(*box)[0], (*box)[1]}};

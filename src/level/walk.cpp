@@ -6,6 +6,7 @@
 #include "level/lengths.h"
 #include "level/numbers.h"
 #include "level/scan.h"
+#include "level/shapes.h"
 #include "level/viewport.h"
 
 namespace level {
@@ -35,17 +36,23 @@ bool applies(pugi::xml_node node) {
     return false;
 }
 
+// Whether one of the media, between commas, is all or screen without conditions.
+bool is_for_screens(std::string_view media) {
+    for (std::size_t at = 0; at < media.size();) {
+        std::size_t const end = std::min(media.find(',', at), media.size());
+        std::string_view const one = trimmed(media.substr(at, end - at));
+        if (same_word(one, "all") || same_word(one, "screen")) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
 pugi::xml_node first_that_applies(pugi::xml_node choice) {
     for (pugi::xml_node const child : choice.children()) {
         std::string_view const tag = Document::tag_of(child);
         if (!tag.empty() && !is_definition(tag) && applies(child)) return child;
     }
     return {};
-}
-
-std::string_view reference_of(pugi::xml_node use) {
-    pugi::xml_attribute const plain = use.attribute("href");
-    return trimmed(plain ? plain.value() : use.attribute("xlink:href").value());
 }
 
 bool is_text(pugi::xml_node node) { return node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata; }
@@ -58,8 +65,10 @@ Walk::Walk(Document const& document, Frame const& frame, Reading& reading)
     Context context;
     context.style = styles_.of(root, Style{});
     if (context.style.hidden) return;
-    elements_.inspect_group(root, "svg");
-    if (!context.style.placement.transform.empty()) warn(root, "transform has no effect on the root");
+    elements_.inspect_group(root, "svg", context.style);
+    Placement const& placement = context.style.placement;
+    for (std::string_view const given : {placement.transform, placement.translate, placement.rotate, placement.scale})
+        if (!given.empty() && !same_word(given, "none")) warn(root, "a transform has no effect on the root");
     context.to_world = frame.to_world;
     context.viewport = frame.view_box;
     context.inherited = inherited_by(root, Inherited{});
@@ -86,8 +95,7 @@ Sheet Walk::read_sheets() {
 void Walk::read_sheet(pugi::xml_node node, Sheet& sheet, std::size_t& size) {
     std::string_view const type = trimmed(node.attribute("type").value());
     std::string_view const media = trimmed(node.attribute("media").value());
-    bool const for_us = (type.empty() || same_word(type, "text/css")) &&
-                        (media.empty() || same_word(media, "all") || same_word(media, "screen"));
+    bool const for_us = (type.empty() || same_word(type, "text/css")) && (media.empty() || is_for_screens(media));
     if (!for_us) return warn(node, "is ignored: it is not CSS for screens");
     std::string text;
     for (pugi::xml_node const child : node.children())
@@ -124,7 +132,7 @@ void Walk::enter(pugi::xml_node node, Context const& above, pugi::xml_node use) 
     Context context = above;
     context.copy = above.copy == Copy::none ? Copy::none : use ? Copy::itself : Copy::within;
     context.style = styles_.of(node, above.style);
-    if (context.style.hidden) return;
+    if (context.style.hidden || (context.style.contents && is_shape(tag))) return;
     context.inherited = inherited_by(node, context.inherited);
     context.grass = context.grass || asks_for_grass(node.attribute("class").value());
     context.to_world = composed(context.to_world, placement_of(node, tag, context));
@@ -136,7 +144,7 @@ void Walk::enter(pugi::xml_node node, Context const& above, pugi::xml_node use) 
 }
 
 void Walk::enter_group(pugi::xml_node node, std::string_view tag, Context context, pugi::xml_node use) {
-    elements_.inspect_group(node, tag);
+    elements_.inspect_group(node, tag, context.style);
     if (auto const role = elements_.role_of_group(node)) context.role = role;
     if ((tag == "svg" || tag == "symbol") && !enter_viewport(node, use, context)) return;
     pugi::xml_node const first = tag == "switch" ? first_that_applies(node) : node.first_child();
@@ -145,12 +153,12 @@ void Walk::enter_group(pugi::xml_node node, std::string_view tag, Context contex
 }
 
 void Walk::enter_copy(pugi::xml_node use, Context context) {
-    elements_.inspect_group(use, "use");
+    elements_.inspect_group(use, "use", context.style);
     if (auto const role = elements_.role_of_group(use)) context.role = role;
     pugi::xml_node const target = target_of(use);
     if (!target) return;
     if (open_.contains(target.hash_value()))
-        return fault(use, "is part of what it copies, " + quoted(reference_of(use)));
+        return fault(use, "is part of what it copies, " + quoted(Document::reference_of(use)));
     try {
         Vec2 const& around = context.viewport.size;
         std::string_view const x = use.attribute("x").value(), y = use.attribute("y").value();
@@ -171,7 +179,7 @@ bool Walk::enter_viewport(pugi::xml_node node, pugi::xml_node use, Context& cont
         if (!viewport) return false;
         context.to_world = composed(context.to_world, viewport->map);
         context.viewport = {Vec2::Zero(), viewport->size};
-        std::string_view const overflow = trimmed(node.attribute("overflow").value());
+        std::string_view const overflow = context.style.overflow;
         if (same_word(overflow, "visible") || same_word(overflow, "auto")) return true;
         geometry::Box shown;
         for (Vec2 const& share : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
@@ -204,16 +212,22 @@ Affine Walk::placement_of(pugi::xml_node node, std::string_view tag, Context con
     Placement const& given = context.style.placement;
     char const* what = "transform: ";
     try {
-        Vec2 const& whole = context.viewport.size;
-        Affine map = composed(parsed_function("translate", given.translate.empty() ? "none" : given.translate, whole),
-                              composed(parsed_function("rotate", given.rotate.empty() ? "none" : given.rotate, whole),
-                                       parsed_function("scale", given.scale.empty() ? "none" : given.scale, whole)));
-        map = composed(map, parsed_transform(given.transform, whole));
         bool const stays =
             given.transform.empty() && given.translate.empty() && given.rotate.empty() && given.scale.empty();
-        if (stays || (given.origin.empty() && given.box.empty())) return map;
-        what = "transform-origin: ";
+        if (stays) return {};
         ReferenceBox const box = elements_.reference_box(node, tag, given.box, context);
+        Vec2 const& whole = box.size;
+        Affine map = composed(
+            parsed_function("translate", given.translate, whole),
+            composed(parsed_function("rotate", given.rotate, whole), parsed_function("scale", given.scale, whole)));
+        Transform const transform = parsed_transform(given.transform, whole);
+        if (given.in_style && !transform.in_style)
+            warn(node, "transform: browsers heed it in a style only with units (px, deg) and commas as CSS has them");
+        if (!given.in_style && !transform.in_attribute)
+            warn(node, "transform: browsers heed it as an attribute only without units and as SVG spells it");
+        map = composed(map, transform.map);
+        if (given.origin.empty() && given.box.empty()) return map;
+        what = "transform-origin: ";
         return about(parsed_origin(given.origin.empty() ? "0 0" : given.origin, box), map);
     } catch (Broken const& broken) {
         reading_.report.fault(document_.line_of(node), elements_.label(node, tag) + ": " + what + broken.what());
@@ -223,7 +237,7 @@ Affine Walk::placement_of(pugi::xml_node node, std::string_view tag, Context con
 }
 
 pugi::xml_node Walk::target_of(pugi::xml_node use) {
-    std::string_view const reference = reference_of(use);
+    std::string_view const reference = Document::reference_of(use);
     if (reference.substr(0, 1) != "#") {
         warn(use, "is ignored: only elements of the same file are copied, got " + quoted(reference));
         return {};

@@ -84,8 +84,8 @@ TEST_CASE("words and attributes that were perhaps meant otherwise") {
 TEST_CASE("what is ignored, empty or out of view") {
     CHECK(warnings_of(with("<text>hi</text><image href='http://nowhere/x.png'/>")) ==
           "3: text: is ignored\n3: image: is ignored");
-    CHECK(warnings_of(with("<rect width='100%' height='1'/>")) ==
-          "3: rect: is ignored: width must be a number, got 100%");
+    CHECK(warnings_of(with("<rect width='2em' height='1'/>")) ==
+          "3: rect: is ignored: width must be a number, or one with px, mm, cm, in, pt, pc, Q or %, got 2em");
     CHECK(warnings_of(with("<rect width='1' height='1' fill='url(#sky)'/>")) ==
           "3: rect: is ignored: the paint url(#sky)");
     CHECK(warnings_of(with("<path class='terrain'/>")) == "3: terrain: is empty");
@@ -118,11 +118,60 @@ TEST_CASE("what a browser shows otherwise is told") {
           "3: terrain: a clip path or mask has no effect on it: it counts whole");
     CHECK(warnings_of(with("<path class='terrain' style='d:path(\"M0 0\")' d='M0 8H9'/>")) ==
           "3: terrain: the style property d has no effect; make it an attribute");
+    CHECK(warnings_of(with("<line class='terrain' opacity='0' " + line)) ==
+          "3: terrain: is hidden and takes part all the same");
+    CHECK(warnings_of(with("<style>use{x:5px}</style><defs><path id='p' class='terrain' d='M0 8H9'/></defs>"
+                           "<use href='#p'/>")) == "3: use: the style property x has no effect; make it an attribute");
+    CHECK(warnings_of(with("<g style='display:var(--shown)'><line class='terrain' " + line + "</g>")) ==
+          "3: g: the style property display has no effect; make it an attribute");
+    CHECK(warnings_of(with("<line class='terrain' " + line, "style='rotate:9deg'")) ==
+          "1: svg: a transform has no effect on the root");
+    CHECK(warnings_of("<?xml-stylesheet href='a.css'?>\n" + with("")) ==
+          "1: xml-stylesheet: is ignored: nothing is fetched; put its rules into a style element");
     CHECK(warnings_of(with("<path class='terrain' d='M0 8H9'><animateTransform/></path>")) ==
           "3: terrain: animateTransform has no effect on it");
     CHECK(read(with("<rect visibility='hidden' width='1' height='1'/>")).decorations.empty());
     auto const painted = read(with("<g color='#123456'><rect width='1' height='1' fill='currentColor'/></g>"));
     CHECK(painted.decorations.at(0).fill == "#123456");
+}
+
+TEST_CASE("a transform that browsers do not read where it stands is told") {
+    std::string const line = "<line class='terrain' x2='16' y1='4' y2='4'/></g>";
+    std::string const in_style =
+        "3: g: transform: browsers heed it in a style only with units (px, deg) and commas as CSS has them";
+    std::string const in_attribute =
+        "3: g: transform: browsers heed it as an attribute only without units and as SVG spells it";
+    auto const style = [&](std::string const& text) {
+        return warnings_of(with("<g style='transform:" + text + "'>" + line));
+    };
+    auto const attribute = [&](std::string const& text) {
+        return warnings_of(with("<g transform='" + text + "'>" + line));
+    };
+    for (char const* const sound : {"translate(1px, 0)", "rotate(0)", "scale(2,1.5) skewX(1deg)", "none"})
+        CHECK(style(sound) == "");
+    for (char const* const broken : {"translate(1, 0)", "rotate(1)", "rotate(1deg, 8px, 4px)", "translate(1px 0)",
+                                     "scale(1) , scale(1)"})
+        CHECK(style(broken) == in_style);
+    for (char const* const sound : {"translate(1 0)", "rotate(1, 8,4),scale(1)", "matrix(1 0 0 1 0 0)skewX(1)"})
+        CHECK(attribute(sound) == "");
+    for (char const* const broken : {"translate(1px)", "rotate(1deg)", "translateX(1)", "SCALE(1)", "skew(1)"})
+        CHECK(attribute(broken) == in_attribute);
+}
+
+TEST_CASE("what browsers draw and this program does not is noted") {
+    auto const remarks = [](std::string const& third_line) {
+        std::string all;
+        for (level::Finding const& remark : read(with(third_line)).remarks)
+            all += std::to_string(remark.line) + ": " + remark.text + "\n";
+        return all;
+    };
+    std::string const line = " class='terrain' x2='16' y1='8' y2='8'/>";
+    CHECK(remarks("<line stroke-dasharray='none' style='marker:none;filter:none'" + line) == "");
+    CHECK(remarks("<line stroke-dasharray='1 2'" + line) == "3: line: stroke-dasharray is not drawn\n");
+    CHECK(remarks("<style>.a{mix-blend-mode:multiply}</style><g class='a'/><g class='a'/>") ==
+          "3: g: mix-blend-mode is not drawn, and 1 more\n");
+    CHECK(remarks("<g filter='url(#f)'><line style='marker-end:url(#m)'" + line + "</g>") ==
+          "3: g: filter is not drawn\n3: line: marker-end is not drawn\n");
 }
 
 TEST_CASE("a sound level is told its scale, and whether it can be won") {

@@ -80,6 +80,12 @@ TEST_CASE("transforms in a style and with units are those of the attribute") {
     // Of the viewBox: 16 by 9.
     CHECK(against_matrix("style='transform:translate(50%, 50%)'", "1 0 0 1 8 4.5") == "");
     CHECK(against_matrix("style='translate:1px 2px; rotate:90deg; scale:2'", "0 2 -2 0 1 2") == "");
+    CHECK(against_matrix("style='transform:scale(50%)'", ".5 0 0 .5 0 0") == "");
+    CHECK(against_matrix("transform='scale(9)' style='transform:unset'", "1 0 0 1 0 0") == "");
+    // Of the shape's own box: 2 by 1.
+    CHECK(difference(with("<rect class='terrain' x='8' y='5' width='2' height='1' "
+                          "style='transform-box:fill-box;transform:translate(50%,100%)'/>"),
+                     with("<rect class='terrain' x='9' y='6' width='2' height='1'/>")) == "");
 }
 
 TEST_CASE("a transform's origin is where the style or attribute puts it") {
@@ -95,6 +101,8 @@ TEST_CASE("a transform's origin is where the style or attribute puts it") {
     CHECK(against_matrix("transform='rotate(180)' transform-origin='center left'", "-1 0 0 -1 0 9") == "");
     CHECK(against_matrix("transform='rotate(180)' transform-origin='1px 2px 0px'", "-1 0 0 -1 2 4") == "");
     CHECK(against_matrix("transform='scale(2)' transform-origin='1 1'", "2 0 0 2 -1 -1") == "");
+    // No attribute: browsers measure from the viewBox all the same.
+    CHECK(against_matrix("transform='scale(2)' transform-origin='1 1' transform-box='fill-box'", "2 0 0 2 -1 -1") == "");
     // The box of the shape itself.
     CHECK(difference(with("<rect class='terrain' x='8' y='5' width='2' height='1' "
                           "style='transform-box:fill-box;transform-origin:center;transform:rotate(90deg)'/>"),
@@ -115,6 +123,9 @@ TEST_CASE("hidden in whatever way is not there") {
     CHECK(hidden("style='fill:red;/* ; */display:/**/none/* x'") == "");
     CHECK(hidden("style='background:url(\"data:a;display:inline\");display:none'") == "");
     CHECK(hidden("style='display:none;display:nonsense'") == "");
+    CHECK(difference(with("<path class='terrain' style='display:contents' d='M0 3.5H16'/>" + hill), plain) == "");
+    CHECK(difference(with("<g style='display:contents'>" + hill + "</g>"), plain) == "");
+    CHECK(difference(with("<g display='none' style='display:inherit'>" + hill + "</g>"), plain) == "");
     CHECK(hidden("systemLanguage='de'") == "");
     CHECK(hidden("requiredExtensions='urn:x'") == "");
     CHECK(hidden("xmlns='urn:x'") == "");
@@ -146,8 +157,16 @@ TEST_CASE("style sheets with simple selectors count") {
                           "</g>"),
                      moved("transform='translate(1 2)'")) == "");
     CHECK(difference(with("<style type='text/x'>.terrain{display:none}</style>" + hill), plain) == "");
+    CHECK(difference(with("<style media='print'>.terrain{display:none}</style>" + hill), plain) == "");
+    CHECK(difference(with("<style media='print, screen'>rect{display:none}</style><rect class='terrain' x='1' y='4' "
+                          "width='9' height='1'/>" +
+                          hill),
+                     plain) == "");
     CHECK(warnings_of(with("<style>g .a{x:y} .b:hover{x:y} @media print{.c{}}</style>" + hill)) ==
           "3: style: the selector g .a is ignored, and 2 more");
+    CHECK(warnings_of(with("<style>.a{fill:red; .b{display:none}}</style>" + hill)) ==
+          "3: style: a rule within the rule of .a is ignored");
+    CHECK(warnings_of(with("<style>.a{dis\\70lay:none}</style>" + hill)) == "3: style: an escape, \\70lay:none}, is ignored");
 }
 
 TEST_CASE("a use is a copy of what it refers to") {
@@ -287,6 +306,31 @@ TEST_CASE("terrain of ellipses and of rects with round corners") {
         difference(with("<rect class='terrain' x='8' y='5' width='4' height='2' rx='.5'/>"),
                    with("<path class='terrain' d='M8.5 5H11.5A.5.5 0 0 1 12 5.5V6.5A.5.5 0 0 1 11.5 7H8.5A.5.5 0 0 1 8 "
                         "6.5V5.5A.5.5 0 0 1 8.5 5z'/>")) == "");
+}
+
+TEST_CASE("lengths with units and in per cent") {
+    auto const same = [](std::string const& shape, std::string const& twin) {
+        return difference(with(shape), with(twin));
+    };
+    // Per cent of the viewBox, 16 by 9; of sqrt((16^2 + 9^2) / 2) = 12.9807549857 for what is neither across nor down.
+    CHECK(same("<rect class='terrain' x='25%' y='50%' width='50%' height='100%'/>",
+               "<rect class='terrain' x='4' y='4.5' width='8' height='9'/>") == "");
+    CHECK(same("<line class='terrain' x1='50%' y1='4.5px' x2='100%' y2='100%'/>",
+               "<line class='terrain' x1='8' y1='4.5' x2='16' y2='9'/>") == "");
+    CHECK(same("<circle class='terrain' cx='.0635cm' cy='1.5875mm' r='.03125in'/>",
+               "<circle class='terrain' cx='2.4' cy='6' r='3'/>") == "");
+    CHECK(same("<circle class='ball' cx='9pt' cy='.125pc' r='.75PT'/>", "<circle class='ball' cx='12' cy='2' r='1'/>") ==
+          "");
+    auto const share = read(with("<circle class='banana' cx='8' cy='5' r='10%'/>")).scene.sensors.at(0).region;
+    CHECK(std::get<physics::DiscRegion>(share).radius == doctest::Approx(1.29807549857).epsilon(1e-11));
+    CHECK(same("<ellipse class='terrain' cx='50%' cy='5' rx='25%' ry='4'/>",
+               "<circle class='terrain' cx='8' cy='5' r='4'/>") == "");
+    CHECK(same("<ellipse class='terrain' cx='8' cy='5' ry='2'/>", "<circle class='terrain' cx='8' cy='5' r='2'/>") == "");
+    CHECK(same("<rect class='goal' x='50%' y='4' width='2' height='1'/>",
+               "<rect class='goal' x='8' y='4' width='2' height='1'/>") == "");
+    CHECK(same("<svg x='4' y='1' width='8' height='4' viewBox='0 0 4 2'><rect class='terrain' x='25%' width='50%' "
+               "height='50%'/></svg>",
+               "<rect class='terrain' x='6' y='1' width='4' height='2'/>") == "");
 }
 
 TEST_CASE("a goal of any closed shape covers what is drawn") {
