@@ -7,8 +7,14 @@
 
 namespace level {
 
-// As #rrggbb: of #rgb, #rrggbb, rgb() with numbers or per cent, and the names of CSS; nothing for none and transparent.
-// Throws Unsupported for what is none of these, gradients for one.
-std::optional<std::string> colour_in(std::string_view text);
+struct Colour {
+    double red = 0, green = 0, blue = 0, opacity = 1;  // each from 0 to 1
+};
+
+// Of #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla() and the names of CSS; nothing for none and
+// transparent. Throws Unsupported for what is none of these, gradients for one.
+std::optional<Colour> colour_in(std::string_view text);
+
+std::string hexadecimal_of(Colour const& colour);  // "#rrggbb"
 
 }  // namespace level

@@ -73,8 +73,10 @@ std::vector<std::string> colours_of(Document const& document, LookAttribute cons
     pugi::xml_attribute const given = document.root().attribute(wanted.name);
     if (!given) return colours;
     try {
-        for (std::string_view const word : words_of(given.value()))
-            colours.push_back(colour_in(word).value_or(std::string(no_colour)));
+        for (std::string_view const word : words_of(given.value())) {
+            auto const colour = colour_in(word);
+            colours.push_back(colour ? hexadecimal_of(*colour) : std::string(no_colour));
+        }
     } catch (Unsupported const&) {
         colours.clear();
     }

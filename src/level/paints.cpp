@@ -1,10 +1,6 @@
 #include "level/paints.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 #include "level/colours.h"
@@ -16,49 +12,41 @@ namespace level {
 
 namespace {
 
-using Channels = std::array<double, 4>;  // red, green, blue times opacity, each to 255; opacity, to 1
-
 struct Stop {
     double share = 0;  // of the painted area before it
-    Channels channels{};
+    Colour colour;     // red, green and blue times the opacity
 };
 
-Channels channels_of(std::string const& colour, double opacity) {
-    auto const rgb = static_cast<unsigned>(std::strtoul(colour.c_str() + 1, nullptr, 16));
-    return {opacity * (rgb >> 16 & 255), opacity * (rgb >> 8 & 255), opacity * (rgb & 255), opacity};
+Colour premultiplied(Colour const& colour, double opacity) {
+    double const all = colour.opacity * opacity;
+    return {colour.red * all, colour.green * all, colour.blue * all, all};
 }
 
-Paint paint_of(Channels const& channels) {
-    auto const byte = [&](int channel) {
-        return static_cast<unsigned>(std::clamp(std::lround(channels[channel] / channels[3]), 0L, 255L));
-    };
-    if (channels[3] <= 0) return {"#000000", 0};
-    char text[8];
-    std::snprintf(text, sizeof text, "#%06x", byte(0) << 16 | byte(1) << 8 | byte(2));
-    return {text, std::min(channels[3], 1.0)};
+Paint paint_of(Colour const& sum) {
+    if (sum.opacity <= 0) return {"#000000", 0};
+    return {hexadecimal_of({sum.red / sum.opacity, sum.green / sum.opacity, sum.blue / sum.opacity, 1}),
+            std::min(sum.opacity, 1.0)};
 }
 
 // The mean over the painted area, the first and the last colour reaching to its ends.
 Paint mean_of_stops(std::vector<Stop> const& stops) {
-    Channels sum{};
-    auto const add = [&](double share, Channels const& from, Channels const& to) {
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * (from[i] + to[i]) / 2;
+    Colour sum{0, 0, 0, 0};
+    auto const add = [&](double share, Colour const& from, Colour const& to) {
+        sum.red += share * (from.red + to.red) / 2;
+        sum.green += share * (from.green + to.green) / 2;
+        sum.blue += share * (from.blue + to.blue) / 2;
+        sum.opacity += share * (from.opacity + to.opacity) / 2;
     };
-    add(stops.front().share, stops.front().channels, stops.front().channels);
+    add(stops.front().share, stops.front().colour, stops.front().colour);
     for (std::size_t i = 1; i < stops.size(); ++i)
-        add(stops[i].share - stops[i - 1].share, stops[i - 1].channels, stops[i].channels);
-    add(1 - stops.back().share, stops.back().channels, stops.back().channels);
+        add(stops[i].share - stops[i - 1].share, stops[i - 1].colour, stops[i].colour);
+    add(1 - stops.back().share, stops.back().colour, stops.back().colour);
     return paint_of(sum);
 }
 
 bool is_gradient(pugi::xml_node node) {
     std::string_view const tag = Document::tag_of(node);
     return tag == "linearGradient" || tag == "radialGradient";
-}
-
-pugi::xml_attribute paint_reference_of(pugi::xml_node node) {
-    pugi::xml_attribute const plain = node.attribute("href");
-    return plain ? plain : node.attribute("xlink:href");
 }
 
 }  // namespace
@@ -85,9 +73,9 @@ std::optional<Paint> Paints::mean_of(std::string const& id) {
             double const least = stops.empty() ? 0 : stops.back().share;
             double const offset = share_in(child.attribute("offset").value(), 0);
             stops.push_back({std::max(is_radial ? offset * offset : offset, least),
-                             colour ? channels_of(*colour, share_in(style.stop_opacity, 1)) : Channels{}});
+                             premultiplied(colour.value_or(Colour{0, 0, 0, 0}), share_in(style.stop_opacity, 1))});
         }
-        std::string_view const reference = trimmed(paint_reference_of(node).value());
+        std::string_view const reference = Document::reference_of(node);
         node = reference.substr(0, 1) == "#" ? gradient(std::string(reference.substr(1))) : pugi::xml_node();
     }
     if (stops.empty()) return std::nullopt;
@@ -101,7 +89,7 @@ std::optional<Paint> Paints::paint_in(std::string_view text, std::string_view cu
     bool const is_reference = same_word(text.substr(0, 4), "url(") && close != std::string_view::npos;
     if (!is_reference) {
         auto const colour = colour_in(text);
-        return colour ? std::optional(Paint{*colour, 1}) : std::nullopt;
+        return colour ? std::optional(Paint{hexadecimal_of(*colour), colour->opacity}) : std::nullopt;
     }
     std::string_view name = trimmed(text.substr(4, close - 4));
     bool const has_quotes = name.size() > 1 && (name[0] == '"' || name[0] == '\'') && name.back() == name[0];

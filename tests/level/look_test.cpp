@@ -92,6 +92,30 @@ TEST_CASE("a gradient stands for its mean colour") {
     CHECK(level.remarks[0].text == "svg: gradients are shown as their mean colour");
 }
 
+TEST_CASE("colours in every notation of CSS") {
+    auto const of = [](std::string const& colour) {
+        return painted("<path class='terrain' fill='" + colour + "' " + earth + "/>");
+    };
+    CHECK(of("#ABC") == "#aabbcc/none/0/1");
+    CHECK(of("#abc8") == "#aabbcc/none/0/0.533333");  // 8/15
+    CHECK(of("#12345633") == "#123456/none/0/0.2");
+    CHECK(of("rgb(18, 52, 86)") == "#123456/none/0/1");
+    CHECK(of("RGB(100% 0% 20%)") == "#ff0033/none/0/1");
+    CHECK(of("rgba(18,52,86,.5)") == "#123456/none/0/0.5");
+    CHECK(of("rgb(18 52 86 / 25%)") == "#123456/none/0/0.25");
+    CHECK(of("hsl(120, 100%, 50%)") == "#00ff00/none/0/1");
+    CHECK(of("hsl(-120deg 100% 25%)") == "#000080/none/0/1");
+    CHECK(of("hsla(.5turn,50%,50%,0.5)") == "#40bfbf/none/0/0.5");
+    CHECK(of("LightGoldenRodYellow") == "#fafad2/none/0/1");
+    CHECK(of("rgba(0,0,0,0)") == "");
+    for (char const* const broken : {"#12345", "#12", "rgb(1,2)", "rgb(1,2,3,4,5)", "hsl(x,1%,1%)", "hwb(1 2% 3%)"})
+        CHECK(warnings_of(with("<path class='terrain' fill='" + std::string(broken) + "' " + earth + "/>"))
+                  .find("3: terrain: is shown as grass and soil: the paint ") == 0);
+    CHECK(painted("<linearGradient id='a'><stop stop-color='rgba(255,0,0,.5)' stop-opacity='.5'/></linearGradient>"
+                  "<path class='terrain' fill='url(#a)' " +
+                  earth + "/>") == "#ff0000/none/0/0.25");
+}
+
 TEST_CASE("balls and goals have the drawing's colours") {
     CHECK(ball_colours("fill='tomato'") == "#ff6347 -");
     CHECK(ball_colours("style='fill:none;stroke:#123456'") == "- #123456");
