@@ -161,6 +161,18 @@ std::string brief(std::string const& message, std::string const& file) {
     return std::filesystem::path(file).filename().string() + message.substr(file.size());
 }
 
+// How many faults the file has besides the one that is told, in words; nothing where that is all.
+std::string further_faults_in(std::string const& file) {
+    try {
+        auto const findings = level::checked_level(file).findings;
+        auto const faults =
+            std::count_if(findings.begin(), findings.end(), [](level::Finding const& found) { return found.fault; });
+        return faults < 2 ? "" : ", and " + std::to_string(faults - 1) + " more (smb2d check)";
+    } catch (std::exception const&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 void change_to(PlayGame& game, std::string const& file) {
@@ -209,8 +221,9 @@ bool follow_file(PlayGame& game, double elapsed) {
         say(game, "Read anew");
         return true;
     } catch (std::exception const& error) {
-        game.fault = brief(error.what(), file);
-        note(std::string("smb2d: ") + error.what());
+        std::string const what = error.what() + further_faults_in(file);
+        game.fault = brief(what, file);
+        note("smb2d: " + what);
         return false;
     }
 }
