@@ -49,7 +49,8 @@ void Elements::inspect_group(pugi::xml_node node, std::string_view tag, Style co
     bool const is_root = node == document_.root();
     if (is_root && !roles.empty()) reading_.report.fault(line, name + ": cannot be " + name_of(roles[0]));
     if (roles.size() > 1)
-        reading_.report.fault(line, name + ": has two roles, " + name_of(roles[0]) + " and " + name_of(roles[1]));
+        reading_.report.fault(line, name + ": has two roles, " + name_of(roles[0]) + " and " + name_of(roles[1]) +
+                                        "; keep one of them");
     if (!is_root) inspect_name(node, name);
     for (pugi::xml_attribute const attribute : node.attributes()) {
         if (!is_data(attribute.name())) continue;

@@ -75,7 +75,8 @@ void Elements::read(pugi::xml_node node, std::string_view tag, Context const& co
     }
     if (role == Role::ball || std::find(roles.begin(), roles.end(), Role::ball) != roles.end()) ++balls_met_;
     if (roles.size() > 1)
-        return fault(element, std::string("has two roles, ") + name_of(roles[0]) + " and " + name_of(roles[1]));
+        return fault(element, std::string("has two roles, ") + name_of(roles[0]) + " and " + name_of(roles[1]) +
+                                  "; keep one of them");
     if (!is_shape(tag)) return fault(element, quoted(tag) + " cannot be " + name_of(*role) + what_to_do_with(tag));
     if (is_overfull() && role != Role::ball) return;
     inspect_data(element, *role);
@@ -252,7 +253,10 @@ void Elements::read_goal(Element const& element) {
 
 // Paint and units that browsers know and this program does not are no faults; what nobody can read is.
 void Elements::read_decoration(Element const& element) {
-    if (!is_shape(element.tag)) return warn(element, "is ignored");
+    if (!is_shape(element.tag)) {
+        std::string const what = element.context.role ? what_to_do_with(element.tag) : "";
+        return warn(element, "is ignored" + what);
+    }
     Affine const& map = element.context.to_world;
     try {
         Style style = element.context.style;

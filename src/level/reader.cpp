@@ -16,7 +16,7 @@ std::string hint_of_misspelt_ball(Report const& report) {
     for (Finding const& finding : report.misspellings())
         if (finding.text.ends_with(std::string(" ") + name_of(Role::ball)))
             return "; line " + std::to_string(finding.line) + ": " + finding.text;
-    return {};
+    return "; give a circle the class ball";
 }
 
 void choose_player(Reading& reading, Elements const& elements, int root_line) {

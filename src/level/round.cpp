@@ -90,7 +90,7 @@ std::optional<DiscRegion> disc_of(Shape const& shape, Affine const& to_world) {
 }
 
 std::string why_not_round(Shape const& shape, Affine const& to_world, std::string_view tag) {
-    if (tag == "circle") return "transform must keep a circle a circle";
+    if (tag == "circle") return "transform must keep a circle a circle; make width and height the same";
     auto const* ellipse = std::get_if<Ellipse>(&shape);
     if (ellipse == nullptr) return "it is not a circle to 1e-3 of its radius; draw a circle, or a path that is one";
     auto const [greatest, least] = radii_of(*ellipse, to_world);

@@ -84,6 +84,8 @@ TEST_CASE("words and attributes that were perhaps meant otherwise") {
 TEST_CASE("what is ignored, empty or out of view") {
     CHECK(warnings_of(with("<text>hi</text><image href='http://nowhere/x.png'/>")) ==
           "3: text: is ignored\n3: image: is ignored");
+    CHECK(warnings_of(with("<g class='terrain'><text>hi</text></g>")) ==
+          "3: text: is ignored; make it a path first (Inkscape: Path > Object to Path)");
     CHECK(warnings_of(with("<rect width='2em' height='1'/>")) ==
           "3: rect: is ignored: width must be a number, or one with px, mm, cm, in, pt, pc, Q or %, got 2em");
     CHECK(warnings_of(with("<rect width='1' height='1' fill='url(#sky)'/>")) ==

@@ -52,7 +52,7 @@ TEST_CASE("T16: every number out of its range is a fault that names it") {
     CHECK(radius("r='1e308in'") == or_units + "1e308in");
     CHECK(radius("r='1px'") == "");
     CHECK(radius("r='1' transform='scale(0)'") == ":2: ball: the radius must be greater than 0, got 0");
-    CHECK(radius("r='1' transform='scale(2 1)'") == ":2: ball: transform must keep a circle a circle");
+    CHECK(radius("r='1' transform='scale(2 1)'") == ":2: ball: transform must keep a circle a circle; make width and height the same");
     CHECK(radius("r='1' transform='scale(1e7)'") == ":2: ball: cx, cy: a coordinate must be at most 1e6 m, got 3e+07");
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("faults of surfaces, bananas and goals") {
     CHECK(fault_of(with("<circle class='banana' cx='5' cy='5' r='-1'/>")) ==
           ":3: banana: r must be greater than 0, got -1");
     CHECK(fault_of(with("<circle class='goal' r='1' transform='skewX(10)'/>")) ==
-          ":3: goal: transform must keep a circle a circle");
+          ":3: goal: transform must keep a circle a circle; make width and height the same");
     CHECK(fault_of(with("<rect class='goal' width='-1' height='1'/>")) ==
           ":3: goal: width must not be negative, got -1");
     CHECK(fault_of(with("<g data-friction='-1'><line class='terrain' x2='1'/></g>")) ==
@@ -108,11 +108,11 @@ TEST_CASE("a misspelt ball is told with the fault that there is none") {
     CHECK(fault_of("<svg viewBox='0 0 9 9'>\n<circle class='bal' cx='3' cy='3' r='1'/></svg>") ==
           ":1: svg: there must be a ball; line 2: circle: class bal is a letter away from ball");
     CHECK(fault_of("<svg viewBox='0 0 9 9'>\n<circle class='goa' cx='3' cy='3' r='1'/></svg>") ==
-          ":1: svg: there must be a ball");
+          ":1: svg: there must be a ball; give a circle the class ball");
 }
 
 TEST_CASE("faults of roles") {
-    CHECK(fault_of(with("<circle class='ball banana' r='1'/>")) == ":3: circle: has two roles, ball and banana");
+    CHECK(fault_of(with("<circle class='ball banana' r='1'/>")) == ":3: circle: has two roles, ball and banana; keep one of them");
     CHECK(fault_of(with("<rect class='ball' width='1' height='1'/>")) ==
           ":3: ball: rect cannot be ball: it is not a circle to 1e-3 of its radius; draw a circle, or a path that is "
           "one");
@@ -122,7 +122,7 @@ TEST_CASE("faults of roles") {
           ":3: goal: path cannot be goal: it is open; close it, or draw a line element");
     CHECK(fault_of(with("<path class='goal' d='M5 5L9 5L5 8L9 8z'/>")) ==
           ":3: goal: its outline crosses itself; make it one without crossings (Inkscape: Path > Union)");
-    CHECK(fault_of(with("<g class='terrain ball'/>")) == ":3: g: has two roles, terrain and ball");
+    CHECK(fault_of(with("<g class='terrain ball'/>")) == ":3: g: has two roles, terrain and ball; keep one of them");
     CHECK(fault_of(with("", "class='terrain'")) == ":1: svg: cannot be terrain");
     CHECK(fault_of(with("<text class='banana'/>")) ==
           ":3: banana: text cannot be banana; make it a path first (Inkscape: Path > Object to Path)");
@@ -132,7 +132,7 @@ TEST_CASE("faults of roles") {
           ":3: terrain: its transform flattens it to nothing");
     CHECK(fault_of(with("<rect class='goal' width='1' height='1' transform='scale(0)'/>")) ==
           ":3: goal: its transform flattens it to nothing");
-    CHECK(fault_of("<svg viewBox='0 0 1 1'/>") == ":1: svg: there must be a ball");
+    CHECK(fault_of("<svg viewBox='0 0 1 1'/>") == ":1: svg: there must be a ball; give a circle the class ball");
 }
 
 TEST_CASE("broken paths") {
