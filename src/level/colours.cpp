@@ -59,7 +59,9 @@ constexpr Named named_colours[] = {
     {"yellow", 0xffff00}, {"yellowgreen", 0x9acd32}};
 // clang-format on
 
-Colour of_number(unsigned value) { return {(value >> 16 & 255) / 255.0, (value >> 8 & 255) / 255.0, (value & 255) / 255.0, 1}; }
+Colour of_number(unsigned value) {
+    return {(value >> 16 & 255) / 255.0, (value >> 8 & 255) / 255.0, (value & 255) / 255.0, 1};
+}
 
 // #rgb, #rgba, #rrggbb, #rrggbbaa
 std::optional<Colour> of_digits(std::string_view digits) {
@@ -69,7 +71,8 @@ std::optional<Colour> of_digits(std::string_view digits) {
     std::size_t const each = count < 6 ? 1 : 2;
     std::array<double, 4> channels = {0, 0, 0, 1};
     for (std::size_t i = 0; i * each < count; ++i) {
-        std::size_t const first = hexadecimal.find(digits[i * each]), last = hexadecimal.find(digits[i * each + each - 1]);
+        std::size_t const first = hexadecimal.find(digits[i * each]),
+                          last = hexadecimal.find(digits[i * each + each - 1]);
         channels[i] = static_cast<double>(first * 16 + last) / 255;
     }
     return Colour{channels[0], channels[1], channels[2], channels[3]};

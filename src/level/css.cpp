@@ -69,6 +69,16 @@ bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
+bool is_for_screens(std::string_view media) {
+    for (std::size_t at = 0; at < media.size();) {
+        std::size_t const end = std::min(media.find(',', at), media.size());
+        std::string_view const one = trimmed(media.substr(at, end - at));
+        if (same_word(one, "all") || same_word(one, "screen")) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
 bool has_comment(std::string_view css) { return css.find("/*") != not_found; }
 
 std::string without_comments(std::string_view css) {
@@ -109,8 +119,14 @@ std::vector<std::string> Sheet::add(std::string text) {
     std::vector<std::string> ignored;
     if (auto const escape = find_escape(css); escape < css.size())
         ignored.push_back("an escape, " + quoted(css.substr(escape)) + ",");
+    int open_media = 0;
     for (std::size_t at = 0; at < css.size();) {
         at = std::min(css.find_first_not_of(" \t\r\n\f", at), css.size());
+        if (open_media > 0 && css.substr(at, 1) == "}") {
+            --open_media;
+            ++at;
+            continue;
+        }
         bool const html_comment = css.substr(at, 4) == "<!--" || css.substr(at, 3) == "-->";
         if (html_comment) {
             at += css[at] == '<' ? 4 : 3;
@@ -119,6 +135,13 @@ std::vector<std::string> Sheet::add(std::string text) {
         bool const at_rule = at < css.size() && css[at] == '@';
         std::size_t const open = find_outside(css, at_rule ? "{;" : "{", at);
         std::string_view const head = trimmed(css.substr(at, open - at));
+        bool const is_media =
+            at_rule && same_word(head.substr(0, 6), "@media") && is_for_screens(trimmed(head.substr(6)));
+        if (is_media && open < css.size() && css[open] == '{') {
+            ++open_media;
+            at = open + 1;
+            continue;
+        }
         if (at_rule && !is_harmless(head)) ignored.push_back(quoted(head));
         if (open == css.size()) break;
         bool const has_block = css[open] == '{';

@@ -22,6 +22,9 @@ struct Declaration {
 
 bool same_word(std::string_view a, std::string_view b);  // in whatever case
 
+// Whether one of the media, between commas, is all or screen without conditions.
+bool is_for_screens(std::string_view media);
+
 bool has_comment(std::string_view css);
 std::string without_comments(std::string_view css);
 

@@ -57,8 +57,8 @@ Document::Document(std::string const& file, Report& report) {
 
 void Document::parse(Report& report) {
     // In place: the scan is done with the text, and the lines are known.
-    pugi::xml_parse_result const result =
-        tree_.load_buffer_inplace(text_.data(), text_.size(), pugi::parse_default | pugi::parse_pi, pugi::encoding_utf8);
+    pugi::xml_parse_result const result = tree_.load_buffer_inplace(
+        text_.data(), text_.size(), pugi::parse_default | pugi::parse_pi, pugi::encoding_utf8);
     if (!result) {
         report.fault(lines_.line_at(result.offset), "not XML: " + reason(result));
         return;

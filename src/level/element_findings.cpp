@@ -49,8 +49,8 @@ void Elements::inspect_group(pugi::xml_node node, std::string_view tag, Style co
     bool const is_root = node == document_.root();
     if (is_root && !roles.empty()) reading_.report.fault(line, name + ": cannot be " + name_of(roles[0]));
     if (roles.size() > 1)
-        reading_.report.fault(line, name + ": has two roles, " + name_of(roles[0]) + " and " + name_of(roles[1]) +
-                                        "; keep one of them");
+        reading_.report.fault(
+            line, name + ": has two roles, " + name_of(roles[0]) + " and " + name_of(roles[1]) + "; keep one of them");
     if (!is_root) inspect_name(node, name);
     for (pugi::xml_attribute const attribute : node.attributes()) {
         if (!is_data(attribute.name())) continue;
@@ -76,7 +76,8 @@ void Elements::inspect_group(pugi::xml_node node, std::string_view tag, Style co
 // What changes the picture in a browser and not what balls touch.
 void Elements::inspect_look(Element const& element) {
     Style const& style = element.context.style;
-    if (!same_word(style.visibility, "visible") || style.opacity <= 0) warn(element, "is hidden and takes part all the same");
+    if (!same_word(style.visibility, "visible") || style.opacity <= 0)
+        warn(element, "is hidden and takes part all the same");
     if (style.clipped) warn(element, "a clip path or mask has no effect on it: it counts whole");
     if (!style.ignored.empty()) warn(element, no_effect_of(style));
     for (pugi::xml_node const child : element.node.children()) {

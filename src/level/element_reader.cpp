@@ -149,7 +149,8 @@ void Elements::read_terrain(Element const& element) {
     physics::Material const material{number(element, Data::friction, usual.friction),
                                      number(element, Data::restitution, usual.restitution),
                                      number(element, Data::rolling_resistance, usual.rolling_resistance)};
-    Traced traced_shape = traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
+    Traced traced_shape =
+        traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
     if (traced_shape.outlines.empty())
         warn(element, "is empty");
     else if (traced_shape.dropped > 0)
@@ -184,6 +185,10 @@ void Elements::paint_terrain(Element const& element, std::vector<Outline>& outli
     if (element.tag == "line") style.fill = "none";
     try {
         auto const parts = decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
+        // Programs put invisible frames into groups: whoever gave the group its role may not know of them.
+        bool const is_by_group = roles_in(element.node.attribute("class").value()).empty();
+        if (parts.empty() && !unseen && is_by_group)
+            warn(element, "has no paint that is seen, and takes part all the same, as grass and soil");
         if (parts.empty() && !unseen) return;
         for (Outline& outline : outlines) outline.painted = true;
         if (grass_met_ && !reading_.level.in_front) reading_.level.in_front = reading_.level.decorations.size();
@@ -241,7 +246,8 @@ void Elements::read_banana(Element const& element) {
 }
 
 void Elements::read_goal(Element const& element) {
-    auto const regions = goal_regions(element.node, element.tag, element.context.to_world, element.context.viewport.size);
+    auto const regions =
+        goal_regions(element.node, element.tag, element.context.to_world, element.context.viewport.size);
     if (regions.empty()) return warn(element, "is empty");
     for (physics::Region const& region : regions) {
         physics::Sensor sensor;
@@ -261,7 +267,8 @@ void Elements::read_decoration(Element const& element) {
     try {
         Style style = element.context.style;
         if (element.tag == "line") style.fill = "none";
-        auto const traced_shape = traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
+        auto const traced_shape =
+            traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
         for (Decoration const& part : decorations_of(traced_shape.outlines, style, scale_of(map), paints_))
             reading_.level.decorations.push_back(part);
     } catch (Unsupported const& unsupported) {

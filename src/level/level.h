@@ -73,13 +73,13 @@ struct Level {
     double tilt_limit = 0.4;                 // rad
     Pars pars;
     Look look;
-    std::vector<Outline> outlines;           // of the terrain
-    std::vector<Decoration> decorations;     // and terrain that the drawing paints, in the order of the file
-    std::optional<std::size_t> in_front;     // of grass and soil: the decorations from this one on
-    std::vector<Tint> ball_tints;            // by ball
-    std::vector<Tint> sensor_tints;          // by sensor, of goals
-    std::vector<Finding> remarks;            // on what looks otherwise than it is; check prints them as notes
-    std::vector<Finding> misspellings;       // classes a letter away from a role, of which every command warns
+    std::vector<Outline> outlines;        // of the terrain
+    std::vector<Decoration> decorations;  // and terrain that the drawing paints, in the order of the file
+    std::optional<std::size_t> in_front;  // of grass and soil: the decorations from this one on
+    std::vector<Tint> ball_tints;         // by ball
+    std::vector<Tint> sensor_tints;       // by sensor, of goals
+    std::vector<Finding> remarks;         // on what looks otherwise than it is; check prints them as notes
+    std::vector<Finding> misspellings;    // classes a letter away from a role, of which every command warns
 };
 
 // Throws std::runtime_error("file:line: element: what") for the first fault (docs/levels.md).

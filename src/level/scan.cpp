@@ -62,7 +62,8 @@ private:
                 if (found_) return;
                 --at_;
             } else if (comes("<!ENTITY")) {
-                return object(at_, "DOCTYPE: must not declare entities; save the drawing without them, as Inkscape does");
+                return object(at_,
+                              "DOCTYPE: must not declare entities; save the drawing without them, as Inkscape does");
             } else if (text_[at_] == '"' || text_[at_] == '\'') {
                 at_ = text_.find(text_[at_], at_ + 1);
                 if (at_ == nowhere) break;

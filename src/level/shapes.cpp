@@ -157,9 +157,7 @@ std::vector<Vec2> ends_of_line(pugi::xml_node node, Vec2 const& viewport) {
 
 Shape shape_of(pugi::xml_node node, std::string_view tag, Vec2 const& viewport) {
     if (tag == "rect") return rect(node, viewport);
-    auto const centre = [&] {
-        return Vec2(length_in(node, "cx", viewport.x()), length_in(node, "cy", viewport.y()));
-    };
+    auto const centre = [&] { return Vec2(length_in(node, "cx", viewport.x()), length_in(node, "cy", viewport.y())); };
     if (tag == "circle") {
         double const r = positive(node, "r", length_in(node, "r", mean_extent(viewport)));
         return Ellipse{centre(), r, r};

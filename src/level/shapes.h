@@ -20,8 +20,8 @@ using Shape = std::variant<std::vector<Subpath>, Ellipse>;
 
 bool is_shape(std::string_view tag);
 
-// `viewport` is the size that per cent are of. Throws Broken("d: unknown command x at ..."), and Unsupported for a radius
-// or size that is not positive and a length in a unit that depends on fonts or windows.
+// `viewport` is the size that per cent are of. Throws Broken("d: unknown command x at ..."), and Unsupported for a
+// radius or size that is not positive and a length in a unit that depends on fonts or windows.
 Shape shape_of(pugi::xml_node node, std::string_view tag, Vec2 const& viewport);
 
 // The four corners of a rect in their order. Throws as shape_of does.

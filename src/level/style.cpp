@@ -36,7 +36,7 @@ constexpr Place places[] = {
 };
 
 // By which a style would change a shape or its place.
-constexpr std::string_view ignored_properties[] = {"d", "cx",    "cy",     "r",           "rx", "ry",
+constexpr std::string_view ignored_properties[] = {"d", "cx", "cy",    "r",      "rx",          "ry",
                                                    "x", "y",  "width", "height", "offset-path", "all"};
 
 constexpr std::string_view undrawn_properties[] = {"stroke-dasharray", "marker", "marker-start",  "marker-mid",
@@ -113,8 +113,8 @@ bool is_understood(std::string_view property) {
     auto const is_it = [&](auto const& known) { return same_word(property, known.name); };
     constexpr std::string_view own[] = {"opacity", "display", "clip-path", "mask"};
     return std::any_of(std::begin(texts), std::end(texts), is_it) ||
-           std::any_of(std::begin(places), std::end(places), is_it) ||
-           is_among(ignored_properties, property) || is_among(undrawn_properties, property) || is_among(own, property);
+           std::any_of(std::begin(places), std::end(places), is_it) || is_among(ignored_properties, property) ||
+           is_among(undrawn_properties, property) || is_among(own, property);
 }
 
 std::string_view Styles::kept(std::string_view css) {

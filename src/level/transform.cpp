@@ -145,8 +145,8 @@ private:
             return plain / 100;
         }
         cursor_ = Cursor(before);
-        double const value = kind == Kind::angle ? angle_at(cursor_)
-                                                 : length_at(cursor_, kind == Kind::x ? whole_.x() : whole_.y());
+        double const value =
+            kind == Kind::angle ? angle_at(cursor_) : length_at(cursor_, kind == Kind::x ? whole_.x() : whole_.y());
         bool const has_unit = before.size() - cursor_.rest().size() > digits;
         if (has_unit) transform_.in_attribute = false;
         if (!has_unit && plain != 0) transform_.in_style = false;

@@ -36,17 +36,6 @@ bool applies(pugi::xml_node node) {
     return false;
 }
 
-// Whether one of the media, between commas, is all or screen without conditions.
-bool is_for_screens(std::string_view media) {
-    for (std::size_t at = 0; at < media.size();) {
-        std::size_t const end = std::min(media.find(',', at), media.size());
-        std::string_view const one = trimmed(media.substr(at, end - at));
-        if (same_word(one, "all") || same_word(one, "screen")) return true;
-        at = end + 1;
-    }
-    return false;
-}
-
 pugi::xml_node first_that_applies(pugi::xml_node choice) {
     for (pugi::xml_node const child : choice.children()) {
         std::string_view const tag = Document::tag_of(child);

@@ -20,8 +20,8 @@ double longest_chord(geometry::Arc const& arc, double flatness) {
     return std::sqrt(8 * flatness * std::max(arc.radius, flatness));
 }
 
-// Of the points along edges, m: near enough for grass and to the eye, and coarser where a drawing has so much of it that
-// nobody sees it.
+// Of the points along edges, m: near enough for grass and to the eye, and coarser where a drawing has so much of it
+// that nobody sees it.
 struct Fineness {
     double spacing = grass_spacing;
     double flatness = unseen_flatness;
@@ -34,7 +34,8 @@ Fineness fineness_for(level::Level const& level) {
         for (geometry::Curve const& curve : outline.curves) {
             double const along = geometry::length_of(curve);
             length += along;
-            if (auto const* arc = std::get_if<geometry::Arc>(&curve)) chords += along / longest_chord(*arc, unseen_flatness);
+            if (auto const* arc = std::get_if<geometry::Arc>(&curve))
+                chords += along / longest_chord(*arc, unseen_flatness);
         }
     double const excess = std::max(1.0, chords / most_chords);
     return {std::max(grass_spacing, length / most_points), unseen_flatness * excess * excess};

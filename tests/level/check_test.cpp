@@ -122,6 +122,12 @@ TEST_CASE("what a browser shows otherwise is told") {
           "3: terrain: the style property d has no effect; make it an attribute");
     CHECK(warnings_of(with("<line class='terrain' opacity='0' " + line)) ==
           "3: terrain: is hidden and takes part all the same");
+    // LibreOffice puts such a rect around each shape.
+    CHECK(
+        warnings_of(with("<g class='terrain'><rect class='BoundingBox' stroke='none' fill='none' x='1' y='6' width='3' "
+                         "height='2'/></g>")) ==
+        "3: terrain: has no paint that is seen, and takes part all the same, as grass and soil");
+    CHECK(warnings_of(with("<g class='terrain grass' fill='none'><line " + line + "</g>")) == "");
     CHECK(warnings_of(with("<style>use{x:5px}</style><defs><path id='p' class='terrain' d='M0 8H9'/></defs>"
                            "<use href='#p'/>")) == "3: use: the style property x has no effect; make it an attribute");
     CHECK(warnings_of(with("<g style='display:var(--shown)'><line class='terrain' " + line + "</g>")) ==
@@ -151,8 +157,8 @@ TEST_CASE("a transform that browsers do not read where it stands is told") {
     };
     for (char const* const sound : {"translate(1px, 0)", "rotate(0)", "scale(2,1.5) skewX(1deg)", "none"})
         CHECK(style(sound) == "");
-    for (char const* const broken : {"translate(1, 0)", "rotate(1)", "rotate(1deg, 8px, 4px)", "translate(1px 0)",
-                                     "scale(1) , scale(1)"})
+    for (char const* const broken :
+         {"translate(1, 0)", "rotate(1)", "rotate(1deg, 8px, 4px)", "translate(1px 0)", "scale(1) , scale(1)"})
         CHECK(style(broken) == in_style);
     for (char const* const sound : {"translate(1 0)", "rotate(1, 8,4),scale(1)", "matrix(1 0 0 1 0 0)skewX(1)"})
         CHECK(attribute(sound) == "");

@@ -57,7 +57,9 @@ inline std::string fault_of(std::string const& text) {
     return {};
 }
 
-inline std::vector<level::Finding> findings(std::string const& text) { return level::checked_level(File(text).path()).findings; }
+inline std::vector<level::Finding> findings(std::string const& text) {
+    return level::checked_level(File(text).path()).findings;
+}
 
 // A line for every finding, as "3: what" or, for a fault, "3! what".
 inline std::string warnings_of(std::string const& text) {

@@ -52,7 +52,8 @@ TEST_CASE("T16: every number out of its range is a fault that names it") {
     CHECK(radius("r='1e308in'") == or_units + "1e308in");
     CHECK(radius("r='1px'") == "");
     CHECK(radius("r='1' transform='scale(0)'") == ":2: ball: the radius must be greater than 0, got 0");
-    CHECK(radius("r='1' transform='scale(2 1)'") == ":2: ball: transform must keep a circle a circle; make width and height the same");
+    CHECK(radius("r='1' transform='scale(2 1)'") ==
+          ":2: ball: transform must keep a circle a circle; make width and height the same");
     CHECK(radius("r='1' transform='scale(1e7)'") == ":2: ball: cx, cy: a coordinate must be at most 1e6 m, got 3e+07");
 }
 
@@ -112,7 +113,8 @@ TEST_CASE("a misspelt ball is told with the fault that there is none") {
 }
 
 TEST_CASE("faults of roles") {
-    CHECK(fault_of(with("<circle class='ball banana' r='1'/>")) == ":3: circle: has two roles, ball and banana; keep one of them");
+    CHECK(fault_of(with("<circle class='ball banana' r='1'/>")) ==
+          ":3: circle: has two roles, ball and banana; keep one of them");
     CHECK(fault_of(with("<rect class='ball' width='1' height='1'/>")) ==
           ":3: ball: rect cannot be ball: it is not a circle to 1e-3 of its radius; draw a circle, or a path that is "
           "one");
@@ -237,9 +239,8 @@ TEST_CASE("deep overlaps are faults, slight ones are not") {
 
 TEST_CASE("a ball that is moved out of one wall into another does not fit") {
     auto const between = [](std::string const& right) {
-        return fault_of(
-            "<svg viewBox='0 0 9 9'>\n<path class='terrain' d='M2 0V8'/>\n<path class='terrain' d='" + right +
-            "'/>\n<circle class='ball' cx='2.9975' cy='4' r='1'/></svg>");
+        return fault_of("<svg viewBox='0 0 9 9'>\n<path class='terrain' d='M2 0V8'/>\n<path class='terrain' d='" +
+                        right + "'/>\n<circle class='ball' cx='2.9975' cy='4' r='1'/></svg>");
     };
     CHECK(between("M4 0V8") == "");
     CHECK(between("M3.995 0V8") ==

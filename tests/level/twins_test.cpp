@@ -102,7 +102,8 @@ TEST_CASE("a transform's origin is where the style or attribute puts it") {
     CHECK(against_matrix("transform='rotate(180)' transform-origin='1px 2px 0px'", "-1 0 0 -1 2 4") == "");
     CHECK(against_matrix("transform='scale(2)' transform-origin='1 1'", "2 0 0 2 -1 -1") == "");
     // No attribute: browsers measure from the viewBox all the same.
-    CHECK(against_matrix("transform='scale(2)' transform-origin='1 1' transform-box='fill-box'", "2 0 0 2 -1 -1") == "");
+    CHECK(against_matrix("transform='scale(2)' transform-origin='1 1' transform-box='fill-box'", "2 0 0 2 -1 -1") ==
+          "");
     // The box of the shape itself.
     CHECK(difference(with("<rect class='terrain' x='8' y='5' width='2' height='1' "
                           "style='transform-box:fill-box;transform-origin:center;transform:rotate(90deg)'/>"),
@@ -146,6 +147,11 @@ TEST_CASE("style sheets with simple selectors count") {
     CHECK(sheet("/* } */ .x{} .st0{display:none /* } */}") == "");
     CHECK(sheet("@font-face{font-family:x} .st0{display:none}") == "");
     CHECK(sheet("#no{display:none} .st0{display:inline}") == "");
+    CHECK(sheet("@media screen{rect{} .st0{display:none}} .x{}") == "");
+    CHECK(sheet("@Media print , all {} @media all{.x{}@media screen{.y{}}.st0{display:none}}") == "");
+    CHECK(sheet("@media screen{.st0{display:inline}} .st0{display:none}") == "");
+    CHECK(sheet("@media print{.st0{display:inline}} .st0{display:none} @media (width:1px){.st0{display:inline}}") ==
+          "");
     CHECK(sheet(".st0{display:none!important} #no{display:inline}") == "");
     CHECK(sheet(".st0{display:inline} .st0{display:none}") == "");
     CHECK(sheet("path{display:inline} .st0{display:none}") == "");
@@ -166,7 +172,8 @@ TEST_CASE("style sheets with simple selectors count") {
           "3: style: the selector g .a is ignored, and 2 more");
     CHECK(warnings_of(with("<style>.a{fill:red; .b{display:none}}</style>" + hill)) ==
           "3: style: a rule within the rule of .a is ignored");
-    CHECK(warnings_of(with("<style>.a{dis\\70lay:none}</style>" + hill)) == "3: style: an escape, \\70lay:none}, is ignored");
+    CHECK(warnings_of(with("<style>.a{dis\\70lay:none}</style>" + hill)) ==
+          "3: style: an escape, \\70lay:none}, is ignored");
 }
 
 TEST_CASE("a use is a copy of what it refers to") {
@@ -319,13 +326,14 @@ TEST_CASE("lengths with units and in per cent") {
                "<line class='terrain' x1='8' y1='4.5' x2='16' y2='9'/>") == "");
     CHECK(same("<circle class='terrain' cx='.0635cm' cy='1.5875mm' r='.03125in'/>",
                "<circle class='terrain' cx='2.4' cy='6' r='3'/>") == "");
-    CHECK(same("<circle class='ball' cx='9pt' cy='.125pc' r='.75PT'/>", "<circle class='ball' cx='12' cy='2' r='1'/>") ==
-          "");
+    CHECK(same("<circle class='ball' cx='9pt' cy='.125pc' r='.75PT'/>",
+               "<circle class='ball' cx='12' cy='2' r='1'/>") == "");
     auto const share = read(with("<circle class='banana' cx='8' cy='5' r='10%'/>")).scene.sensors.at(0).region;
     CHECK(std::get<physics::DiscRegion>(share).radius == doctest::Approx(1.29807549857).epsilon(1e-11));
     CHECK(same("<ellipse class='terrain' cx='50%' cy='5' rx='25%' ry='4'/>",
                "<circle class='terrain' cx='8' cy='5' r='4'/>") == "");
-    CHECK(same("<ellipse class='terrain' cx='8' cy='5' ry='2'/>", "<circle class='terrain' cx='8' cy='5' r='2'/>") == "");
+    CHECK(same("<ellipse class='terrain' cx='8' cy='5' ry='2'/>", "<circle class='terrain' cx='8' cy='5' r='2'/>") ==
+          "");
     CHECK(same("<rect class='goal' x='50%' y='4' width='2' height='1'/>",
                "<rect class='goal' x='8' y='4' width='2' height='1'/>") == "");
     CHECK(same("<svg x='4' y='1' width='8' height='4' viewBox='0 0 4 2'><rect class='terrain' x='25%' width='50%' "
