@@ -175,6 +175,15 @@ void Elements::read_terrain(Element const& element) {
     }
 }
 
+std::vector<Decoration> Elements::painted(Element const& element, std::vector<Outline> const& outlines,
+                                          Style const& style) {
+    auto parts = decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
+    bool const is_filled = std::any_of(parts.begin(), parts.end(), [](Decoration const& part) { return part.fill; });
+    if (is_filled && !same_word(style.fill_rule, "evenodd") && fill_rules_differ(outlines))
+        lines_of_nonzero_fills_.push_back(element.line);
+    return parts;
+}
+
 // Terrain keeps the paint that the drawing gives it. Where that is none, or none that is known, it gets grass and soil
 // rather than to be met unseen.
 void Elements::paint_terrain(Element const& element, std::vector<Outline>& outlines) {
@@ -184,7 +193,7 @@ void Elements::paint_terrain(Element const& element, std::vector<Outline>& outli
     if (!unseen && (!given || element.context.grass)) return;
     if (element.tag == "line") style.fill = "none";
     try {
-        auto const parts = decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
+        auto const parts = painted(element, outlines, style);
         // Programs put invisible frames into groups: whoever gave the group its role may not know of them.
         bool const is_by_group = roles_in(element.node.attribute("class").value()).empty();
         if (parts.empty() && !unseen && is_by_group)
@@ -263,13 +272,12 @@ void Elements::read_decoration(Element const& element) {
         std::string const what = element.context.role ? what_to_do_with(element.tag) : "";
         return warn(element, "is ignored" + what);
     }
-    Affine const& map = element.context.to_world;
     try {
         Style style = element.context.style;
         if (element.tag == "line") style.fill = "none";
         auto const traced_shape =
             traced_within_limits(element, shape_of(element.node, element.tag, element.context.viewport.size));
-        for (Decoration const& part : decorations_of(traced_shape.outlines, style, scale_of(map), paints_))
+        for (Decoration const& part : painted(element, traced_shape.outlines, style))
             reading_.level.decorations.push_back(part);
     } catch (Unsupported const& unsupported) {
         warn(element, std::string("is ignored: ") + unsupported.what());

@@ -56,6 +56,7 @@ public:
 
     bool is_overfull() const { return pieces_met_ > most_pieces; }  // no terrain is to be made of what was read
     bool met_gradients() const { return paints_.met_gradients(); }
+    std::vector<int> const& lines_of_nonzero_fills() const { return lines_of_nonzero_fills_; }
     int balls_met() const { return balls_met_; }                  // sound or not
     std::vector<int> const& players() const { return players_; }  // balls with the id player
     std::vector<int> const& copied_players() const { return copied_players_; }
@@ -77,6 +78,7 @@ private:
     void inspect_data(Element const& element, Role role);
     void read_role(Element const& element, Role role);
     void read_terrain(Element const& element);
+    std::vector<Decoration> painted(Element const& element, std::vector<Outline> const& outlines, Style const& style);
     void paint_terrain(Element const& element, std::vector<Outline>& outlines);
     void read_ball(Element const& element);
     void read_banana(Element const& element);
@@ -102,6 +104,7 @@ private:
     Paints paints_;
     std::vector<physics::Piece> pieces_;
     std::vector<int> players_, copied_players_;
+    std::vector<int> lines_of_nonzero_fills_;  // of shapes that the even-odd rule fills otherwise
     std::size_t pieces_met_ = 0;
     int balls_met_ = 0, sensor_elements_ = 0;
     bool grass_met_ = false;  // terrain that the drawing does not paint itself

@@ -69,6 +69,8 @@ void settle_starts(Reading& reading) {
                              "ball: does not fit between what it touches: moved out, it " + overlap_in_words(left));
 }
 
+std::string and_more(std::size_t count) { return count > 1 ? ", and " + std::to_string(count - 1) + " more" : ""; }
+
 void remark(Level& level, int line, std::string text) { level.remarks.push_back({line, std::move(text), false}); }
 
 // What balls touch is the middle of a stroke: a wide one looks as if they sank into it.
@@ -78,26 +80,28 @@ void remark_on_strokes(Reading& reading) {
     Level& level = reading.level;
     double const across = 2 * level.scene.balls[static_cast<std::size_t>(level.player)].radius;
     Surface const* first = nullptr;
-    int wide = 0;
+    std::size_t wide = 0;
     for (Surface const& surface : reading.surfaces) {
         if (surface.stroke_width <= widest * across) continue;
         if (++wide == 1) first = &surface;
     }
     if (wide == 0) return;
-    std::string const more = wide > 1 ? ", and " + std::to_string(wide - 1) + " more" : "";
     remark(level, first->line,
            "terrain: a stroke of " + shown(first->stroke_width) +
-               " m is wider than 2 % of the ball, which touches its middle" + more);
+               " m is wider than 2 % of the ball, which touches its middle" + and_more(wide));
 }
 
 void remark_on_look(Reading& reading, Document const& document, Walk const& walk) {
     if (walk.elements().met_gradients())
         remark(reading.level, document.line_of(document.root()), "svg: gradients are shown as their mean colour");
+    std::vector<int> const& nonzero = walk.elements().lines_of_nonzero_fills();
+    if (!nonzero.empty())
+        remark(reading.level, nonzero[0],
+               "fill-rule nonzero is drawn as evenodd, with holes where outlines overlap" + and_more(nonzero.size()));
     for (Undrawn const& undrawn : walk.undrawn()) {
-        std::string const more = undrawn.elements > 1 ? ", and " + std::to_string(undrawn.elements - 1) + " more" : "";
         remark(reading.level, document.line_of(undrawn.first),
                std::string(Document::tag_of(undrawn.first)).append(": ").append(undrawn.property) + " is not drawn" +
-                   more);
+                   and_more(static_cast<std::size_t>(undrawn.elements)));
     }
 }
 

@@ -116,6 +116,23 @@ TEST_CASE("colours in every notation of CSS") {
                   earth + "/>") == "#ff0000/none/0/0.25");
 }
 
+TEST_CASE("a fill that the even-odd rule would not give is remarked on") {
+    auto const remarks = [](std::string const& attributes) {
+        auto const level = read(with("<path fill='red' " + attributes + "/>"));
+        return level.remarks.empty() ? "" : std::to_string(level.remarks[0].line) + ": " + level.remarks[0].text;
+    };
+    std::string const told = "3: fill-rule nonzero is drawn as evenodd, with holes where outlines overlap";
+    std::string const outer = "M1 1H6V6H1z", same_way = "M2 2H4V4H2z", other_way = "M2 2V4H4V2z";
+    CHECK(remarks("d='" + outer + other_way + "'") == "");
+    CHECK(remarks("d='" + outer + same_way + "'") == told);
+    CHECK(remarks("d='" + outer + same_way + "' fill-rule='evenodd'") == "");
+    CHECK(remarks("d='" + outer + same_way + "' style='fill:none;stroke:red'") == "");
+    CHECK(remarks("d='" + outer + "M7 1H9V3H7z'") == "");
+    CHECK(remarks("d='" + outer + "M5 5H8V8H5z'") == told);
+    CHECK(remarks("d='M1 4A3 3 0 0 1 7 4A3 3 0 0 1 1 4zM3 4A1 1 0 0 1 5 4A1 1 0 0 1 3 4z'") == told);
+    CHECK(remarks("d='M1 4A3 3 0 0 1 7 4A3 3 0 0 1 1 4zM3 4A1 1 0 0 0 5 4A1 1 0 0 0 3 4z'") == "");
+}
+
 TEST_CASE("balls and goals have the drawing's colours") {
     CHECK(ball_colours("fill='tomato'") == "#ff6347 -");
     CHECK(ball_colours("style='fill:none;stroke:#123456'") == "- #123456");
