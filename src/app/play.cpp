@@ -10,6 +10,7 @@
 #include "app/interrupt.h"
 #include "app/play_game.h"
 #include "app/play_keys.h"
+#include "app/play_sound.h"
 
 namespace app {
 
@@ -71,7 +72,7 @@ void fit(PlayGame& game, screen::Window const& window) {
     game.size = Vec2(std::max(extent.width, 1), std::max(extent.height, 1));
 }
 
-void loop(PlayGame& game, Tour& tour, screen::Window& window) {
+void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) {
     Cursors cursors;
     for (double last = seconds_now();;) {
         stop_if_interrupted();
@@ -83,6 +84,7 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
         double const elapsed = now - last;
         last = now;
         if (tour.picker) {
+            sound.hush();
             window.present(picture_of(*tour.picker, game.size));
             continue;
         }
@@ -92,6 +94,7 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window) {
         }
         pass(game, elapsed);
         scrub_by_keys(game, elapsed);
+        sound.follow(game, elapsed);
         show_cursor(cursors, game, window);
         window.present(picture_of(game));
     }
@@ -112,7 +115,10 @@ int play(PlayOptions const& options) {
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
-    loop(game, tour, window);
+    game.preferences = game::preferences();
+    std::unique_ptr<PlaySound> const sound =
+        options.no_sound ? std::make_unique<PlaySound>(std::nullopt) : std::make_unique<PlaySound>();
+    loop(game, tour, window, *sound);
     return done;
 }
 
@@ -124,6 +130,7 @@ Command play_command(CommandLine& program) {
     command.takes("--renderer", options->renderer, "auto, gl or software (default: auto)", "NAME");
     command.takes("-s,--size", options->size, "pixels (default: 1280x720)", "WxH");
     command.takes("--ghost", options->ghost, "a run of the same level that rolls along", "RUN");
+    command.takes_flag("--no-sound", options->no_sound, "use no sound device");
     command.takes_flag("--fullscreen", options->fullscreen, "fill the screen");
     command.ends_help_with("Example: smb2d play assets/levels/01-sunny-hills.svg");
     return {command, [options] { return play(*options); }};

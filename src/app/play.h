@@ -13,6 +13,7 @@ struct PlayOptions {
     std::string renderer = "auto", size = "1280x720";
     std::string ghost;  // a run that rolls along; empty = none
     bool fullscreen = false;
+    bool no_sound = false;
 };
 
 // The exit status. Throws UsageError, Interrupted, std::runtime_error, the last also where there is no display.

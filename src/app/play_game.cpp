@@ -150,6 +150,7 @@ void adopt(PlayGame& game, PlayGame other) {
     other.pace.speed = game.pace.speed;
     other.size = game.size;
     other.overlays = game.overlays;
+    other.preferences = game.preferences;
     other.lean = game.lean;
     other.pointer = game.pointer;
     game = std::move(other);

@@ -12,6 +12,7 @@
 #include "app/opening.h"
 #include "game/lessons.h"
 #include "game/pace.h"
+#include "game/preferences.h"
 #include "game/session.h"
 #include "view/scene_picture.h"
 #include "view/timeline.h"
@@ -48,6 +49,7 @@ struct PlayGame {
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
     view::Lens lens;
     view::Overlays overlays;
+    game::Preferences preferences;
     std::optional<Vec2> pointer;      // pixels, where it was last seen
     std::optional<Vec2> held;         // pixels, the pointer while it drags a ball
     std::optional<Vec2> sent;         // m, where it was when it was last told to the session

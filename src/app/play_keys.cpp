@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/assets.h"
+#include "app/play_sound.h"
 
 namespace app {
 
@@ -108,12 +109,33 @@ std::size_t first_unfinished(Tour const& tour) {
     return unfinished == levels.tiles.end() ? 0 : static_cast<std::size_t>(unfinished - levels.tiles.begin());
 }
 
+// Whether the key was one of those for the sound.
+bool press_sound_key(SDL_Keycode key, PlayGame& game) {
+    switch (key) {
+        case SDLK_m:
+            toggle_mute(game);
+            return true;
+        case SDLK_MINUS:
+        case SDLK_KP_MINUS:
+            turn_volume(game, -1);
+            return true;
+        case SDLK_PLUS:
+        case SDLK_EQUALS:
+        case SDLK_KP_PLUS:
+            turn_volume(game, 1);
+            return true;
+        default:
+            return false;
+    }
+}
+
 // Under the title nearly every key starts the game.
 KeyCommand listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
     bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
     if (!clicked && (event.type != SDL_KEYDOWN || event.key.repeat != 0)) return KeyCommand::stay;
     SDL_Keycode const key = clicked ? SDLK_RETURN : event.key.keysym.sym;
     if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return KeyCommand::quit;
+    if (!clicked && press_sound_key(key, game)) return KeyCommand::stay;
     if (key == SDLK_F1 || key == SDLK_ESCAPE)
         game.help = !game.help;
     else if (key == SDLK_l)
@@ -174,7 +196,7 @@ KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window
             window.release_pointer();
             restart(game);
             break;
-        case SDLK_m:
+        case SDLK_F3:
             window.release_pointer();
             change_method(game);
             break;
@@ -198,6 +220,7 @@ KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window
             window.toggle_fullscreen();
             break;
         default:
+            press_sound_key(key, game);
             break;
     }
     return KeyCommand::stay;

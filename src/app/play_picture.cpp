@@ -26,7 +26,8 @@ std::vector<view::KeyHelp> key_help() {
             {"L", "all levels, to pick one"},
             {"Tab", "next level; PageDown and PageUp walk through them"},
             {"O", "overlay: figures, forces, energy, all, none"},
-            {"M", "next method, from the beginning"},
+            {"M", "mute; minus and plus: volume"},
+            {"F3", "next method, from the beginning"},
             {"F5", "save the run"},
             {"F11", "full screen"},
             {"Q  Esc", "quit"}};

@@ -93,7 +93,9 @@ void make_frames(Sequence& sequence, FrameJob const& job) {
     FrameWorkers frame_workers(sequence.stage, sequence.overlays, job, sequence.jobs);
     for (long long frame = 0; frame < sequence.count; ++frame) {
         stop_if_interrupted();
-        frame_workers.take(order_for(sequence, frame));
+        FrameOrder order = order_for(sequence, frame);
+        if (job.order) job.order(frame);
+        frame_workers.take(std::move(order));
         progress.show(frame_workers.finished());
     }
     frame_workers.close();

@@ -40,10 +40,11 @@ struct Sequence {
 // Throws UsageError, std::runtime_error. Opens the file last, so that wrong usage is told before a broken level.
 Sequence sequence_for(SequenceOptions const& options);
 
-// What becomes of a frame: `make` runs on many threads at once, `deliver` on one at a time, in order of the frames.
+// What becomes of a frame, whose moment is settled when it is ordered: `make` runs on many threads at once, `deliver` on one at a time, in order of the frames.
 struct FrameJob {
     std::function<std::vector<std::uint8_t>(long long frame, screen::Pixels const& pixels)> make;
     std::function<void(std::vector<std::uint8_t> product)> deliver;  // empty: nothing is left to do in order
+    std::function<void(long long frame)> order;  // on the calling thread, before the frame is painted; may be empty
 };
 
 // Every frame of the sequence, with progress on a terminal. Throws what the first failing frame threw; frames

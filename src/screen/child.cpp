@@ -21,6 +21,8 @@ namespace {
 
 constexpr std::size_t kept_words = 4096;  // bytes of what a program says: the end of it is what matters
 
+constexpr int second_input = 3;
+
 void close_if_open(int& descriptor) {
     if (descriptor >= 0) close(std::exchange(descriptor, -1));
 }
@@ -65,9 +67,9 @@ private:
     sigset_t only_{}, before_{};
 };
 
-// Starts the program with the pipes as its stdin, stdout and stderr, and signals as a fresh program finds them.
+// Starts the program with the pipes as its stdin, stdout, stderr and second input, and signals as a fresh program finds them.
 int spawn(pid_t& process, std::vector<std::string> const& arguments, Pipe const& input, Pipe const& output,
-          Pipe const& errors) {
+          Pipe const& errors, Pipe const& beside) {
     std::vector<char*> words;
     for (std::string const& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
@@ -76,6 +78,7 @@ int spawn(pid_t& process, std::vector<std::string> const& arguments, Pipe const&
     posix_spawn_file_actions_adddup2(&files, input.out, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files, output.in, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files, errors.in, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, beside.out, second_input);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none, usual;
@@ -95,13 +98,14 @@ int spawn(pid_t& process, std::vector<std::string> const& arguments, Pipe const&
 }  // namespace
 
 Child::Child(std::vector<std::string> const& arguments) {
-    Pipe input, output, errors;
-    int const error = spawn(process_, arguments, input, output, errors);
+    Pipe input, output, errors, beside;
+    int const error = spawn(process_, arguments, input, output, errors, beside);
     if (error != 0) throw std::runtime_error(arguments[0] + " cannot be started: " + std::strerror(error));
     input_ = std::exchange(input.in, -1);
     heard_[0].descriptor = std::exchange(output.out, -1);
     heard_[1].descriptor = std::exchange(errors.out, -1);
-    fcntl(input_, F_SETFL, O_NONBLOCK);
+    beside_ = std::exchange(beside.in, -1);
+    for (int const descriptor : {input_, beside_}) fcntl(descriptor, F_SETFL, O_NONBLOCK);
     constexpr int room = 1 << 20;  // bytes: a whole small picture, where the system grants it
     fcntl(input_, F_SETPIPE_SZ, room);
 }
@@ -127,11 +131,37 @@ bool Child::feed(std::span<std::uint8_t const> bytes) {
     return true;
 }
 
-// Hears what there is, until the input can take more; a program that nobody listens to would wait for us for ever.
+void Child::feed_beside(std::span<std::uint8_t const> bytes) {
+    if (beside_ < 0) return;
+    kept_beside_.insert(kept_beside_.end(), bytes.begin(), bytes.end());
+    NoBrokenPipeSignal const quiet;
+    pour_beside();
+}
+
+// As much as the program takes now.
+void Child::pour_beside() {
+    std::size_t poured = 0;
+    while (beside_ >= 0 && poured < kept_beside_.size()) {
+        ssize_t const written = write(beside_, kept_beside_.data() + poured, kept_beside_.size() - poured);
+        if (written > 0)
+            poured += static_cast<std::size_t>(written);
+        else if (errno == EAGAIN)
+            break;
+        else if (errno != EINTR)
+            close_if_open(beside_);
+    }
+    kept_beside_.erase(kept_beside_.begin(), kept_beside_.begin() + static_cast<std::ptrdiff_t>(poured));
+    if (beside_ < 0) kept_beside_.clear();
+}
+
+// Hears what there is, until an input can take more; a program that nobody listens to would wait for us for ever.
 void Child::listen(int milliseconds, int writable) {
-    std::array<pollfd, 3> ends{
-        {{heard_[0].descriptor, POLLIN, 0}, {heard_[1].descriptor, POLLIN, 0}, {writable, POLLOUT, 0}}};
+    std::array<pollfd, 4> ends{{{heard_[0].descriptor, POLLIN, 0},
+                                {heard_[1].descriptor, POLLIN, 0},
+                                {writable, POLLOUT, 0},
+                                {kept_beside_.empty() ? -1 : beside_, POLLOUT, 0}}};
     if (poll(ends.data(), ends.size(), milliseconds) <= 0) return;
+    if (ends[3].revents != 0) pour_beside();
     for (std::size_t i = 0; i < 2; ++i)
         if (ends[i].revents != 0) hear(heard_[i]);
 }
@@ -146,7 +176,10 @@ void Child::hear(PipeReader& ear) {
 }
 
 Ending Child::wait() {
+    NoBrokenPipeSignal const quiet;
     close_if_open(input_);
+    while (!kept_beside_.empty()) listen(-1, -1);
+    close_if_open(beside_);
     while (heard_[0].descriptor >= 0 || heard_[1].descriptor >= 0) listen(-1, -1);
     int status = 0;
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {

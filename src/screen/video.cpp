@@ -1,6 +1,7 @@
 #include "screen/video.h"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -27,10 +28,18 @@ std::vector<std::string> encoder(fs::path const& part, std::string const& contai
     words.insert(words.end(), {"-progress", "pipe:1"});
     words.insert(words.end(), {"-f", "rawvideo", "-pix_fmt", "yuv420p", "-video_size", size, "-framerate", rate});
     words.insert(words.end(), {"-colorspace", "bt709", "-color_range", "tv", "-i", "pipe:0"});
+    if (settings.sound_rate > 0) {
+        // Nothing is looked for in the sound before the first frame: it comes along with the frames.
+        words.insert(words.end(), {"-f", "f32le", "-ar", std::to_string(settings.sound_rate), "-ac", "2"});
+        words.insert(words.end(), {"-probesize", "32", "-analyzeduration", "0", "-i", "pipe:3"});
+        words.insert(words.end(), {"-map", "0:v", "-map", "1:a", "-c:a", "aac", "-b:a", "160k"});
+    }
     words.insert(words.end(), {"-c:v", "libx264", "-preset", "veryfast", "-crf", std::to_string(settings.quality)});
     words.insert(words.end(), {"-pix_fmt", "yuv420p", "-g", std::to_string(second), "-colorspace", "bt709"});
     words.insert(words.end(), {"-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"});
-    if (container == "mp4") words.insert(words.end(), {"-movflags", "+frag_keyframe+empty_moov"});
+    // The header waits for the first fragment: only then is it known by how much picture and sound are to be shifted to
+    // begin at once.
+    if (container == "mp4") words.insert(words.end(), {"-movflags", "+frag_keyframe+empty_moov+delay_moov"});
     // Each frame on its way to the disk at once: what a killed encoder holds back is lost.
     words.insert(words.end(), {"-flush_packets", "1"});
     words.insert(words.end(), {"-f", container == "mkv" ? "matroska" : container, "file:" + part.string()});
@@ -152,6 +161,12 @@ void Video::add(Yuv420 const& picture) {
     body_->end();
     throw std::runtime_error(body_->file.string() + ": ffmpeg stopped reading after " + std::to_string(body_->frames) +
                              " frames");
+}
+
+void Video::add_sound(std::span<float const> samples) {
+    if (!body_->ffmpeg) return;
+    static_assert(std::endian::native == std::endian::little, "the encoder is told f32le");
+    body_->ffmpeg->feed_beside({reinterpret_cast<std::uint8_t const*>(samples.data()), samples.size_bytes()});
 }
 
 void Video::finish() {

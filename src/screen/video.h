@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "screen/pixels.h"
 
@@ -13,6 +14,7 @@ struct VideoSettings {
     int width = 1280, height = 720;                 // pixels, both even
     int rate_numerator = 60, rate_denominator = 1;  // frames a second
     int quality = 18;                               // x264's constant rate factor: lower is better and larger
+    int sound_rate = 0;                             // samples a second, of both sides; 0 = a silent film
 };
 
 // Pictures that an encoder takes: luma, then the two chroma planes at half the size (BT.709, limited range).
@@ -38,6 +40,9 @@ public:
     void add(Pixels const& pixels);
     // Of pictures converted before, for instance on other threads.
     void add(Yuv420 const& picture);
+    // Samples of both sides in turn, in [-1, 1]: those that are heard from the next frame on until the one after it,
+    // before that frame is added. What the encoder no longer takes is told when a frame is added.
+    void add_sound(std::span<float const> samples);
     // Waits for the encoder, checks that the file holds every frame and is whole, whatever the encoder says, renames.
     void finish();
     // Lets the encoder close the part. What of it plays, if any: what does not is cut off or removed.

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Videos without a display: whole, playable, honest when cut short (docs/command-line.md)."""
 
+import array
 import json
 import os
 import shutil
 import signal
 import subprocess
+import wave
 from pathlib import Path
 
-from program import ASSETS, ProgramTest, files_no_longer_than, main, until
+from program import ASSETS, SMALL_LEVEL, ProgramTest, files_no_longer_than, main, until
 
 DEMO = ASSETS / "runs/demo.json"
 SIZE = ["-s", "128x72"]
@@ -31,7 +33,80 @@ class Record(ProgramTest):
             self.assertEqual(stream["r_frame_rate"], "25/1")
             self.assertEqual((stream["color_space"], stream["color_primaries"], stream["color_transfer"],
                               stream["color_range"]), ("bt709", "bt709", "bt709", "tv"))
+            self.assertEqual(self.kinds(name), ["video", "audio"])
         self.assert_no_files("*part*")
+
+    def kinds(self, name):
+        said = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=codec_type", "-of", "csv=p=0",
+                               self.folder / name], stdout=subprocess.PIPE, check=True).stdout
+        return said.decode().split()
+
+    def test_a_silent_film_has_no_sound(self):
+        for name in ["v.mp4", "v.mkv"]:
+            self.done("record", DEMO, "-o", name, *SIZE, "--to", "0.5", "--no-sound")
+            self.assertEqual(self.kinds(name), ["video"])
+
+    def sound(self, name):
+        """Rate, and the numbers of both sides in turn."""
+        with wave.open(str(self.folder / name)) as file:
+            self.assertEqual((file.getnchannels(), file.getsampwidth()), (2, 2))
+            numbers = array.array("h", file.readframes(file.getnframes()))
+            return file.getframerate(), numbers
+
+    def test_sound_alone_is_as_long_as_the_film_and_needs_no_encoder(self):
+        for rate, to, samples in [("60", "0.5", 24000), ("25", "0.5", 13 * 1920), ("30000/1001", "1", 48048)]:
+            self.done("record", DEMO, "-o", "v.wav", "--fps", rate, "--to", to, "--overwrite",
+                      changes={"PATH": str(self.folder)})
+            self.assertEqual((self.sound("v.wav")[0], len(self.sound("v.wav")[1])), (48000, 2 * samples))
+        self.assert_no_files("*part*")
+
+    def test_sound_from_a_time_on_is_that_part_of_the_whole(self):
+        self.done("record", DEMO, "-o", "whole.wav", "--to", "6")
+        self.done("record", DEMO, "-o", "part.wav", "--from", "4.5", "--to", "6", "--fps", "7")
+        whole, part = self.sound("whole.wav")[1], self.sound("part.wav")[1]
+        self.assertGreater(max(part), 1000)
+        self.assertEqual(whole[2 * 216000:], part[:len(whole) - 2 * 216000])
+
+    def test_a_landing_is_heard_at_its_time(self):
+        falling = self.file("falling.svg", SMALL_LEVEL.replace('cy="3.5"', 'cy="2.5"'))
+        self.done("record", falling, "-o", "v.wav", "--to", "1")
+        # The tune is quieter than this, and the fall takes sqrt(2 h / g).
+        numbers = self.sound("v.wav")[1][::2]
+        loud = next(i for i, number in enumerate(numbers) if abs(number) > 4000)
+        self.assertAlmostEqual(loud / 48000, (2 / 9.81) ** 0.5, delta=0.003)
+
+    def test_picture_and_sound_begin_together(self):
+        for name in ["v.mp4", "v.mkv"]:
+            self.done("record", DEMO, "-o", name, *SIZE, "--to", "1", "--fps", "10")
+            said = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=start_time", "-of", "csv=p=0",
+                                   self.folder / name], stdout=subprocess.PIPE, check=True).stdout
+            picture, sound = map(float, said.split())
+            # AAC begins with 1024 samples that say nothing.
+            self.assertAlmostEqual(sound + 1024 / 48000, picture, delta=0.001)
+
+    def test_sound_that_cannot_be_written_is_a_failure(self):
+        self.assert_fails(2, "record", DEMO, "-o", "v.wav", "--no-sound")
+        self.assert_fails(2, "record", DEMO, "-o", "v.wav", "--to", "30000")  # beyond 32 bits
+        old = self.file("v.wav", "precious")
+        self.assert_fails(1, "record", DEMO, "-o", "v.wav", says="v.wav")
+        self.assert_fails(1, "record", DEMO, "-o", "v.wav", "--overwrite", says="v.part.wav",
+                          preexec_fn=files_no_longer_than(100000))
+        self.assertEqual(old.read_text(), "precious")
+        self.assertGreater(len(self.sound("v.part.wav")[1]), 40000)
+        old.unlink()
+        self.assert_fails(1, "record", DEMO, "-o", "v.wav", says="v.wav", preexec_fn=files_no_longer_than(20))
+        self.assert_no_files("v*")
+
+    def test_sound_cut_short_plays_as_far_as_it_goes(self):
+        process = self.start("record", DEMO, "-o", "v.wav", "--to", "20000")
+        part = self.folder / "v.part.wav"
+        until(lambda: part.exists() and part.stat().st_size > 200000, "the first samples", process)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 130)
+        self.assert_one_line(stderr, "v.part.wav")
+        self.assertEqual(4 * (len(self.sound("v.part.wav")[1]) // 2), part.stat().st_size - 44)
+        self.assertFalse((self.folder / "v.wav").exists())
 
     def test_the_video_shows_what_the_pictures_show(self):
         words = [DEMO, *SIZE, "--from", "2", "--to", "2.1", "--fps", "10"]

@@ -1,0 +1,73 @@
+#include "app/play_sound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "app/output.h"
+#include "sound/hear.h"
+
+namespace app {
+
+namespace {
+
+constexpr int volume_steps = 10;
+
+double gain_of(game::Preferences const& preferences) {
+    // Loudness is heard in ratios: a square is near enough.
+    return preferences.muted ? 0 : preferences.volume * preferences.volume;
+}
+
+bool stands_still(PlayGame const& game) { return game.pace.paused || game.looked_at || game.help; }
+
+void keep_preferences(PlayGame& game) {
+    try {
+        if (auto const aside = game::keep(game.preferences))
+            note("smb2d: the preferences could not be read; they are kept as " + aside->string());
+    } catch (std::exception const& error) {
+        note(std::string("smb2d: ") + error.what());
+    }
+}
+
+}  // namespace
+
+PlaySound::PlaySound() {
+    try {
+        audio_.emplace(sound::rate, [this](float* samples, int count) { live_.fill(samples, count); });
+    } catch (std::exception const&) {
+        // Many machines have no device, and nothing depends on it.
+    }
+}
+
+void PlaySound::follow(PlayGame const& game, double elapsed) {
+    if (!audio_) return;
+    double const now = present_time(game);
+    if (game.stage != stage_ || now < heard_) {
+        live_.begin(sound::world_of(game.stage->level));
+        // What happens at the very beginning is heard too.
+        heard_ = now > 0 ? now : -1;
+    }
+    stage_ = game.stage;
+    live_.set_volume(gain_of(game.preferences));
+    live_.gate(stands_still(game) ? sound::Gate::shut : sound::Gate::open);
+    if (now > 0 && !stands_still(game)) live_.hear(game.session, heard_, now, elapsed);
+    if (now > 0) heard_ = now;
+}
+
+void PlaySound::hush() { live_.gate(sound::Gate::shut); }
+
+void turn_volume(PlayGame& game, int steps) {
+    double const now = std::round(game.preferences.volume * volume_steps) + steps;
+    game.preferences.volume = std::clamp(now / volume_steps, 0.0, 1.0);
+    game.preferences.muted = false;
+    say(game, "Volume: " + std::to_string(std::lround(game.preferences.volume * 100)) + " %");
+    keep_preferences(game);
+}
+
+void toggle_mute(PlayGame& game) {
+    game.preferences.muted = !game.preferences.muted;
+    say(game, game.preferences.muted ? "Muted" : "Sound on");
+    keep_preferences(game);
+}
+
+}  // namespace app

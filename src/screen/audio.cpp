@@ -1,0 +1,62 @@
+#include "screen/audio.h"
+
+#include <SDL.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace screen {
+namespace {
+
+constexpr Uint16 samples_at_once = 256;  // 5 ms
+constexpr int sides = 2;
+
+void fill_for_sdl(void* fill, Uint8* bytes, int count) {
+    int const samples = count / static_cast<int>(sides * sizeof(float));
+    (*static_cast<FillSound*>(fill))(reinterpret_cast<float*>(bytes), samples);
+}
+
+// SDL's audio while it lives.
+struct AudioSystem {
+    AudioSystem() {
+        if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
+    }
+    ~AudioSystem() { SDL_QuitSubSystem(SDL_INIT_AUDIO); }
+    AudioSystem(AudioSystem const&) = delete;
+    AudioSystem& operator=(AudioSystem const&) = delete;
+};
+
+}  // namespace
+
+struct Audio::Body {
+    AudioSystem system;
+    FillSound fill;
+    SDL_AudioDeviceID device = 0;
+    SDL_AudioSpec spec{};
+
+    Body(int rate, FillSound fill_wanted) : fill(std::move(fill_wanted)) {
+        SDL_AudioSpec wanted{};
+        wanted.freq = rate;
+        wanted.format = AUDIO_F32SYS;
+        wanted.channels = sides;
+        wanted.samples = samples_at_once;
+        wanted.callback = fill_for_sdl;
+        wanted.userdata = &fill;
+        device = SDL_OpenAudioDevice(nullptr, 0, &wanted, &spec, 0);
+        if (device == 0) throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
+        SDL_PauseAudioDevice(device, 0);
+    }
+    ~Body() { SDL_CloseAudioDevice(device); }
+    Body(Body const&) = delete;
+    Body& operator=(Body const&) = delete;
+};
+
+Audio::Audio(int rate, FillSound fill) : body_(std::make_unique<Body>(rate, std::move(fill))) {}
+Audio::~Audio() = default;
+Audio::Audio(Audio&&) noexcept = default;
+Audio& Audio::operator=(Audio&&) noexcept = default;
+
+double Audio::latency() const { return static_cast<double>(body_->spec.samples) / body_->spec.freq; }
+
+}  // namespace screen
