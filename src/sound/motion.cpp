@@ -12,7 +12,7 @@ double smooth_noise(double at, std::uint64_t seed) {
     double const whole = std::floor(at), share = at - whole;
     auto const number = static_cast<std::int64_t>(whole);
     double const before = hashed(number, seed), after = hashed(number + 1, seed);
-    return before + (after - before) * share * share * (3 - 2 * share);
+    return before + (after - before) * share * share * share * (10 + share * (6 * share - 15));
 }
 
 namespace {
@@ -78,7 +78,8 @@ void add_motion(std::deque<Motion> const& rows, long long first_row, std::uint64
         long long const sample = first + i;
         long long const row = sample >= 0 ? sample / motion_step : -((motion_step - 1 - sample) / motion_step);
         double const share = static_cast<double>(sample - row * motion_step) / motion_step;
-        Motion const before = row_at(rows, row - first_row), after = row_at(rows, row + 1 - first_row);
+        // From the row before to this one, a step late: what comes next need not be known.
+        Motion const before = row_at(rows, row - 1 - first_row), after = row_at(rows, row - first_row);
         Motion const now = between(before, after, share);
         double const seconds = static_cast<double>(sample) / rate;
         double sum = 0;

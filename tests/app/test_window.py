@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """A real window on a real (virtual) display, played with a real pointer: the ball is dragged, seen and traced."""
 
+import array
 import csv
 import io
 import json
@@ -329,6 +330,57 @@ class Window(ProgramTest):
         run = self.save()
         self.assertEqual(Path(json.loads(run.read_text())["level"]).name, "01-sunny-hills.svg")
         self.assertEqual(json.loads(run.read_text())["duration"], 0)
+
+    def heard(self):
+        """What the sound device has been given so far: numbers of both sides in turn."""
+        raw = self.folder / "heard.raw"
+        data = raw.read_bytes() if raw.exists() else b""
+        return array.array("f", data[:len(data) // 4 * 4])
+
+    def open_with_sound(self, level):
+        self.display = Display(self)
+        self.game = self.start("play", self.file("floor.svg", level), "--renderer", "software", "--size",
+                               f"{WIDTH}x{HEIGHT}", changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11",
+                                                             "SDL_AUDIODRIVER": "disk", "SDL_DISKAUDIOFILE": "heard.raw"})
+        self.window = until(self.find_window, "the window", self.game)
+
+    def loudest_from_now(self):
+        """Of the next tenth of a second."""
+        begun = len(self.heard())
+        until(lambda: len(self.heard()) > begun + 9600, "the device to ask for more", self.game)
+        return max(map(abs, self.heard()[begun:]))
+
+    def test_a_landing_is_heard_and_m_mutes(self):
+        self.open_with_sound(LEVEL.format("").replace('cy="4.4"', 'cy="2"'))
+        until(lambda: self.loudest_from_now() > 0.005, "the tune", self.game)
+        self.press_key("space")
+        # The tune and its limit are far below.
+        until(lambda: max(map(abs, self.heard()), default=0) > 0.13, "the landing", self.game)
+        self.press_key("m")
+        until(lambda: self.loudest_from_now() == 0, "silence", self.game)
+        kept = self.folder / "data/smb2d/preferences.json"
+        self.assertEqual(json.loads(until(lambda: kept.exists() and kept.read_text(), "the choice to be kept")),
+                         {"volume": 0.8, "muted": True})
+        self.press_key("m")
+        until(lambda: self.loudest_from_now() > 0.005, "the tune to come back", self.game)
+        self.press_key("space")
+        until(lambda: self.loudest_from_now() == 0, "silence in the pause", self.game)
+        for _ in range(9):
+            self.press_key("minus")
+        until(lambda: json.loads(kept.read_text())["volume"] == 0, "the volume to be kept", self.game)
+        self.close()
+
+    def test_without_a_sound_device_the_game_plays_on_without_a_word(self):
+        for changes, words in [({"SDL_AUDIODRIVER": "none such"}, []), ({"SDL_AUDIODRIVER": "disk"}, ["--no-sound"])]:
+            self.display = Display(self)
+            self.game = self.start("play", self.file("floor.svg", LEVEL.format("")), "--renderer", "software", *words,
+                                   changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11", **changes})
+            self.window = until(self.find_window, "the window", self.game)
+            until(lambda: len(set(self.screenshot())) > 50, "the first picture", self.game)
+            self.press_key("q")
+            _, stderr = self.game.communicate(timeout=PATIENCE)
+            self.assertEqual((self.game.returncode, stderr), (0, b""))
+            self.assert_no_files("*.raw")
 
     def test_closing_the_window_ends_the_program(self):
         self.open("software")
