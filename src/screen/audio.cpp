@@ -2,6 +2,10 @@
 
 #include <SDL.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +21,27 @@ void fill_for_sdl(void* fill, Uint8* bytes, int count) {
     (*static_cast<FillSound*>(fill))(reinterpret_cast<float*>(bytes), samples);
 }
 
+// ALSA tells standard error at length that it has found no device, which is nobody's concern. What is written there
+// while this lives is lost.
+class QuietErrors {
+public:
+    QuietErrors() : kept_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+        int const nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (kept_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0) close(nowhere);
+    }
+    ~QuietErrors() {
+        if (kept_ < 0) return;
+        dup2(kept_, STDERR_FILENO);
+        close(kept_);
+    }
+    QuietErrors(QuietErrors const&) = delete;
+    QuietErrors& operator=(QuietErrors const&) = delete;
+
+private:
+    int kept_;
+};
+
 // SDL's audio while it lives.
 struct AudioSystem {
     AudioSystem() {
@@ -30,12 +55,14 @@ struct AudioSystem {
 }  // namespace
 
 struct Audio::Body {
-    AudioSystem system;
     FillSound fill;
+    std::optional<AudioSystem> system;
     SDL_AudioDeviceID device = 0;
     SDL_AudioSpec spec{};
 
     Body(int rate, FillSound fill_wanted) : fill(std::move(fill_wanted)) {
+        QuietErrors const quiet;
+        system.emplace();
         SDL_AudioSpec wanted{};
         wanted.freq = rate;
         wanted.format = AUDIO_F32SYS;
