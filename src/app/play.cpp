@@ -74,11 +74,15 @@ void fit(PlayGame& game, screen::Window const& window) {
 
 void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) {
     Cursors cursors;
+    Pads pads;
     for (double last = seconds_now();;) {
         stop_if_interrupted();
         SDL_Event event;
-        while (SDL_PollEvent(&event) != 0)
+        while (SDL_PollEvent(&event) != 0) {
             if (listen(event, game, tour, window) == KeyCommand::quit) return;
+            if (listen_to_pads(event, pads, game, tour, window) == KeyCommand::quit) return;
+        }
+        game.stick = pads.lean();
         fit(game, window);
         double const now = seconds_now();
         double const elapsed = now - last;

@@ -86,11 +86,15 @@ void send_pointer(PlayGame& game) {
     game.sent = point;
 }
 
+// In [-1, 1], by keys or else by a gamepad.
+double leaning_of(PlayGame const& game) { return game.lean != 0 ? game.lean : game.stick; }
+
 void lean(PlayGame& game, double simulated) {
     double const limit = game.stage->level.tilt_limit;
     double const now = game.session.world.forces.tilt;
-    if (game.replay_end && (game.lean == 0 || game.screen == Screen::title)) return;
-    double const wanted = is_over(game) ? 0 : game.lean * limit;
+    double const leaning = leaning_of(game);
+    if (game.replay_end && (leaning == 0 || game.screen == Screen::title)) return;
+    double const wanted = is_over(game) ? 0 : leaning * limit;
     if (now == wanted) return;
     take_over(game);
     learn(game, game::Lesson::tilt);
@@ -152,6 +156,7 @@ void adopt(PlayGame& game, PlayGame other) {
     other.overlays = game.overlays;
     other.preferences = game.preferences;
     other.lean = game.lean;
+    other.stick = game.stick;
     other.pointer = game.pointer;
     game = std::move(other);
 }
@@ -377,8 +382,8 @@ void say(PlayGame& game, std::string const& text) { game.toast = {text, toast_le
 void pass(PlayGame& game, double elapsed) {
     game.toast.left = std::max(0.0, game.toast.left - elapsed);
     game.wall_time += elapsed;
-    if (game.help) return;
-    bool const tilts = game.lean != 0 && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
+    if (game.help || game.menu_row) return;
+    bool const tilts = leaning_of(game) != 0 && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
     if (tilts && game.looked_at) go_on_from_past(game);
     if (tilts) begin(game);
     if (game.waiting || has_come_to_an_end(game)) return;

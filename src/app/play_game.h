@@ -55,9 +55,11 @@ struct PlayGame {
     std::optional<Vec2> sent;         // m, where it was when it was last told to the session
     std::optional<double> looked_at;  // s, a moment of the past; nothing = the present
     double scrub_held = 0;            // s on the wall, for how long the key that moves through the past is down
-    int lean = 0;                     // -1, 0, 1: to which side the stage is being tilted
+    int lean = 0;                     // -1, 0, 1: to which side keys tilt the stage
+    double stick = 0;                 // in [-1, 1]: the same of a gamepad
     Toast toast;
     bool help = false;
+    std::optional<std::size_t> menu_row;  // the chosen one, while the menu is open
     bool on_timeline = false;           // the pointer drags the moment that is looked at
     bool noted = false;                 // the time of reaching the goal has been noted
     std::optional<double> best_before;  // s, the level's best time when it was opened

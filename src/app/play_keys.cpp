@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/assets.h"
+#include "app/play_menu.h"
 #include "app/play_sound.h"
 
 namespace app {
@@ -157,13 +158,55 @@ int lean_of_keys() {
 
 Hurry hurry_of_keys() { return (SDL_GetModState() & KMOD_SHIFT) != 0 ? Hurry::fast : Hurry::calm; }
 
+void open_menu_in(PlayGame& game, screen::Window& window) {
+    window.release_pointer();
+    open_menu(game);
+}
+
+KeyCommand listen_on_menu(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+    int x = 0, y = 0;
+    SDL_GetMouseState(&x, &y);
+    if (event.type == SDL_MOUSEMOTION) x = event.motion.x, y = event.motion.y;
+    if (event.type == SDL_MOUSEBUTTONDOWN) x = event.button.x, y = event.button.y;
+    auto const choice = choose_in_menu(game, event, pixel_at(x, y, window));
+    if (!choice) return KeyCommand::stay;
+    if (*choice == Choice::sound) {
+        toggle_mute(game);
+        return KeyCommand::stay;
+    }
+    close_menu(game);
+    if (*choice == Choice::quit) return KeyCommand::quit;
+    if (*choice == Choice::again) restart(game);
+    if (*choice == Choice::levels) open_picker(game, tour, window);
+    return KeyCommand::stay;
+}
+
+// Whether the menu takes the event, and nothing else does.
+bool is_for_menu(SDL_Event const& event) {
+    if (event.type == SDL_KEYDOWN) {
+        SDL_Keycode const key = event.key.keysym.sym;
+        return key != SDLK_F11 && key != SDLK_m && key != SDLK_MINUS && key != SDLK_PLUS && key != SDLK_EQUALS;
+    }
+    return event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL;
+}
+
+Place place_of(PlayGame const& game, Tour const& tour) {
+    if (tour.picker) return Place::picker;
+    if (game.screen == Screen::title) return Place::title;
+    if (game.menu_row) return Place::menu;
+    if (is_card_open(game)) return Place::card;
+    return game.waiting ? Place::waiting : Place::game;
+}
+
 KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& window) {
     switch (key) {
         case SDLK_q:
             return KeyCommand::quit;
         case SDLK_ESCAPE:
-            if (!game.help) return KeyCommand::quit;
-            game.help = false;
+            if (game.help)
+                game.help = false;
+            else
+                open_menu_in(game, window);
             break;
         case SDLK_F1:
             game.help = !game.help;
@@ -266,6 +309,7 @@ void scrub_by_keys(PlayGame& game, double elapsed) {
 
 KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
     if (tour.picker && listen_on_picker(event, game, tour, window)) return KeyCommand::stay;
+    if (game.menu_row && is_for_menu(event)) return listen_on_menu(event, game, tour, window);
     switch (event.type) {
         case SDL_QUIT:
             return KeyCommand::quit;
@@ -320,6 +364,23 @@ KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Wi
             break;
     }
     return KeyCommand::stay;
+}
+
+KeyCommand listen_to_pads(SDL_Event const& event, Pads& pads, PlayGame& game, Tour& tour, screen::Window& window) {
+    Pads::News const news = pads.listen(event);
+    bool const is_running = place_of(game, tour) == Place::game && !game.pace.paused;
+    if (news == Pads::News::went && is_running) {
+        open_menu_in(game, window);
+        say(game, "The gamepad is gone");
+    }
+    if (event.type != SDL_CONTROLLERBUTTONDOWN) return KeyCommand::stay;
+    auto const button = static_cast<SDL_GameControllerButton>(event.cbutton.button);
+    auto const key = key_for(button, place_of(game, tour));
+    if (!key) return KeyCommand::stay;
+    SDL_Event pressed{};
+    pressed.type = SDL_KEYDOWN;
+    pressed.key.keysym.sym = *key;
+    return listen(pressed, game, tour, window);
 }
 
 }  // namespace app

@@ -8,6 +8,7 @@
 #include <SDL.h>
 
 #include "app/play_game.h"
+#include "app/play_pad.h"
 #include "app/play_picker.h"
 #include "screen/window.h"
 
@@ -29,6 +30,9 @@ enum class KeyCommand { stay, quit };
 
 // What one event means for the game and its window.
 KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
+
+// The same of a gamepad: a button counts as the key that it stands for, and one that is pulled out pauses the game.
+KeyCommand listen_to_pads(SDL_Event const& event, Pads& pads, PlayGame& game, Tour& tour, screen::Window& window);
 
 // Moves through the past while comma or period is held down.
 void scrub_by_keys(PlayGame& game, double elapsed);

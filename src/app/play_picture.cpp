@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/play_game.h"
+#include "app/play_menu.h"
 #include "game/what_if.h"
 #include "view/briefing.h"
 #include "view/hud.h"
@@ -30,7 +31,8 @@ std::vector<view::KeyHelp> key_help() {
             {"F3", "next method, from the beginning"},
             {"F5", "save the run"},
             {"F11", "full screen"},
-            {"Q  Esc", "quit"}};
+            {"gamepad", "stick or triggers tilt; Start: menu"},
+            {"Esc", "menu: go on, again, levels, sound, quit"}};
 }
 
 std::string badge_of(PlayGame const& game) {
@@ -158,6 +160,7 @@ view::Picture picture_of(PlayGame const& game) {
     bool const in_fault = !game.fault.empty() && game.toast.left <= 0;
     add(in_fault ? view::toast_shapes(game.fault, 1, game.size)
                  : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));
+    if (game.menu_row) add(menu_shapes(game));
     if (game.help) add(view::help_shapes(key_help(), game.size));
     return picture;
 }

@@ -18,7 +18,9 @@ double gain_of(game::Preferences const& preferences) {
     return preferences.muted ? 0 : preferences.volume * preferences.volume;
 }
 
-bool stands_still(PlayGame const& game) { return game.pace.paused || game.looked_at || game.help; }
+bool stands_still(PlayGame const& game) {
+    return game.pace.paused || game.looked_at || game.help || game.menu_row;
+}
 
 void keep_preferences(PlayGame& game) {
     try {
@@ -57,8 +59,11 @@ void PlaySound::follow(PlayGame const& game, double elapsed) {
 void PlaySound::hush() { live_.gate(sound::Gate::shut); }
 
 void turn_volume(PlayGame& game, int steps) {
-    double const now = std::round(game.preferences.volume * volume_steps) + steps;
-    game.preferences.volume = std::clamp(now / volume_steps, 0.0, 1.0);
+    set_volume(game, game.preferences.volume + static_cast<double>(steps) / volume_steps);
+}
+
+void set_volume(PlayGame& game, double volume) {
+    game.preferences.volume = std::clamp(std::round(volume * volume_steps) / volume_steps, 0.0, 1.0);
     game.preferences.muted = false;
     say(game, "Volume: " + std::to_string(std::lround(game.preferences.volume * 100)) + " %");
     keep_preferences(game);

@@ -29,6 +29,7 @@ private:
 
 // Louder or softer by one step, and remembered; in a toast.
 void turn_volume(PlayGame& game, int steps);
+void set_volume(PlayGame& game, double volume);  // to the nearest step of [0, 1]
 void toggle_mute(PlayGame& game);
 
 }  // namespace app

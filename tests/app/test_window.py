@@ -384,6 +384,43 @@ class Window(ProgramTest):
             self.assertEqual((self.game.returncode, stderr), (0, b""))
             self.assert_no_files("*.raw")
 
+    def open_menu(self):
+        before = self.screenshot()
+        self.press_key("Escape")
+        until(lambda: self.screenshot() != before, "the menu", self.game)
+
+    def test_the_menu_stops_the_game_and_its_entries_do_what_they_say(self):
+        self.open("software")
+        self.drag_the_ball()
+        self.open_menu()
+        still = self.screenshot()
+        self.pointer("sleep", 0.3)
+        self.assertEqual(self.screenshot(), still)
+        self.press_key("Escape")
+        until(lambda: self.screenshot() != still, "the game to go on", self.game)
+        run = self.save()
+        self.assertGreater(json.loads(run.read_text())["duration"], 0)
+        run.unlink()
+        self.open_menu()
+        self.press_key("Down")
+        self.press_key("Return")
+        run = self.save()
+        self.assertEqual(json.loads(run.read_text())["duration"], 0)  # from the beginning
+        self.open_menu()
+        self.press_key("Up")
+        self.press_key("Return")
+        self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
+
+    def test_the_pointer_chooses_in_the_menu(self):
+        self.open("software")
+        self.open_menu()
+        row = lambda i: HEIGHT / 2 + (i - 2) * 68 * HEIGHT / 720 + 25 * HEIGHT / 720
+        kept = self.folder / "data/smb2d/preferences.json"
+        self.pointer("mousemove", "--window", self.window, WIDTH // 2 - 120, round(row(3)), "click", 1)
+        until(lambda: kept.exists() and json.loads(kept.read_text())["muted"], "the sound to be off", self.game)
+        self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(row(4)), "click", 1)
+        self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
+
     def test_closing_the_window_ends_the_program(self):
         self.open("software")
         self.pointer("key", "--window", self.window, "q")
