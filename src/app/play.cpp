@@ -8,6 +8,7 @@
 #include "app/assets.h"
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/play_film.h"
 #include "app/play_game.h"
 #include "app/play_keys.h"
 #include "app/play_sound.h"
@@ -75,6 +76,7 @@ void fit(PlayGame& game, screen::Window const& window) {
 void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) {
     Cursors cursors;
     Pads pads;
+    PlayFilm film;
     for (double last = seconds_now();;) {
         stop_if_interrupted();
         SDL_Event event;
@@ -87,6 +89,7 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) 
         double const now = seconds_now();
         double const elapsed = now - last;
         last = now;
+        film.follow(game);
         if (tour.picker) {
             sound.hush();
             window.present(picture_of(*tour.picker, game.size));

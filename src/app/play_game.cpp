@@ -365,15 +365,17 @@ void cycle_overlay(PlayGame& game) {
     say(game, std::string("Overlay: ") + names[next]);
 }
 
-void save_run(PlayGame& game) {
+std::optional<std::string> save_run(PlayGame& game) {
     try {
         std::string const file = free_run_name(game.stage->level.file);
         game::write_run(run_to_save(game.session), file);
         say(game, "Saved " + file);
         note("smb2d: saved " + file);
+        return file;
     } catch (std::exception const& error) {
         say(game, std::string("Not saved: ") + error.what());
         note(std::string("smb2d: not saved: ") + error.what());
+        return std::nullopt;
     }
 }
 

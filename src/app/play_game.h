@@ -59,6 +59,8 @@ struct PlayGame {
     double stick = 0;                 // in [-1, 1]: the same of a gamepad
     Toast toast;
     bool help = false;
+    bool film_wanted = false;      // of what has been played
+    std::optional<double> filmed;  // in [0, 1], how much of a film is done that is being made
     std::optional<std::size_t> menu_row;  // the chosen one, while the menu is open
     bool on_timeline = false;           // the pointer drags the moment that is looked at
     bool noted = false;                 // the time of reaching the goal has been noted
@@ -133,7 +135,7 @@ void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches);
 void single_step(PlayGame& game);
 void cycle_overlay(PlayGame& game);
 // Into the user's data folder, never over another file; tells where, or why not, in a toast and on standard error.
-void save_run(PlayGame& game);
+std::optional<std::string> save_run(PlayGame& game);  // the run's file
 
 void say(PlayGame& game, std::string const& text);
 

@@ -259,6 +259,9 @@ KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window
         case SDLK_F5:
             save_run(game);
             break;
+        case SDLK_F6:
+            game.film_wanted = true;
+            break;
         case SDLK_F11:
             window.toggle_fullscreen();
             break;

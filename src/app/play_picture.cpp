@@ -29,7 +29,7 @@ std::vector<view::KeyHelp> key_help() {
             {"O", "overlay: figures, forces, energy, all, none"},
             {"M", "mute; minus and plus: volume"},
             {"F3", "next method, from the beginning"},
-            {"F5", "save the run"},
+            {"F5  F6", "save the run; film it while you play on"},
             {"F11", "full screen"},
             {"gamepad", "stick or triggers tilt; Start: menu"},
             {"Esc", "menu: go on, again, levels, sound, quit"}};
@@ -46,6 +46,7 @@ std::string badge_of(PlayGame const& game) {
     add(game.replay_end.has_value(), "replay");
     add(game.pace.paused, "paused");
     add(game.pace.speed != 1, "slow motion");
+    if (game.filmed) add(true, "filming " + view::written(100 * *game.filmed, 0) + " %");
     return words;
 }
 

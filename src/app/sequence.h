@@ -40,6 +40,10 @@ struct Sequence {
 // Throws UsageError, std::runtime_error. Opens the file last, so that wrong usage is told before a broken level.
 Sequence sequence_for(SequenceOptions const& options);
 
+inline double time_of(Sequence const& sequence, long long frame) {  // s
+    return game::frame_time(sequence.from, frame, sequence.rate);
+}
+
 // What becomes of a frame, whose moment is settled when it is ordered: `make` runs on many threads at once, `deliver` on one at a time, in order of the frames.
 struct FrameJob {
     std::function<std::vector<std::uint8_t>(long long frame, screen::Pixels const& pixels)> make;

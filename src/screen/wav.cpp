@@ -19,7 +19,7 @@
 namespace screen {
 namespace {
 
-constexpr std::uint32_t header_bytes = 44, sides = 2, bytes_a_number = 2;
+constexpr std::uint32_t header_bytes = 44, wav_sides = 2, bytes_a_number = 2;
 
 void add_little_endian(std::string& bytes, std::uint32_t number, int count) {
     for (int i = 0; i < count; ++i) bytes += static_cast<char>(number >> 8 * i & 0xff);
@@ -32,10 +32,10 @@ std::string header_for(int rate, std::uint32_t data_bytes) {
     header += "WAVEfmt ";
     add_little_endian(header, 16, 4);
     add_little_endian(header, 1, 2);  // PCM
-    add_little_endian(header, sides, 2);
+    add_little_endian(header, wav_sides, 2);
     add_little_endian(header, static_cast<std::uint32_t>(rate), 4);
-    add_little_endian(header, static_cast<std::uint32_t>(rate) * sides * bytes_a_number, 4);
-    add_little_endian(header, sides * bytes_a_number, 2);
+    add_little_endian(header, static_cast<std::uint32_t>(rate) * wav_sides * bytes_a_number, 4);
+    add_little_endian(header, wav_sides * bytes_a_number, 2);
     add_little_endian(header, 8 * bytes_a_number, 2);
     header += "data";
     add_little_endian(header, data_bytes, 4);

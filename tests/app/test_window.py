@@ -5,6 +5,7 @@ import array
 import csv
 import io
 import json
+import math
 import os
 import signal
 import subprocess
@@ -383,6 +384,30 @@ class Window(ProgramTest):
             _, stderr = self.game.communicate(timeout=PATIENCE)
             self.assertEqual((self.game.returncode, stderr), (0, b""))
             self.assert_no_files("*.raw")
+
+    def test_f6_films_what_was_played_while_the_game_goes_on(self):
+        self.open("software")
+        self.drag_the_ball()
+        self.press_key("F6")
+        films = lambda: [path for path in (self.folder / "data").rglob("*.mp4") if ".part." not in path.name]
+        film = until(films, "the film", self.game)[0]
+        duration = json.loads(film.with_suffix(".json").read_text())["duration"]
+        said = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames",
+                               "-select_streams", "v", "-of", "csv=p=0", film], stdout=subprocess.PIPE, check=True).stdout
+        self.assertEqual(int(said), math.ceil(duration * 60 - 1e-9))
+        film.with_suffix(".json").unlink()
+        self.assertGreater(json.loads(self.save().read_text())["duration"], duration)
+
+    def test_a_film_that_the_end_of_the_program_cuts_short_is_named_or_gone(self):
+        self.open("software")
+        self.drag_the_ball()
+        self.press_key("F6")
+        until(lambda: list((self.folder / "data").rglob("*.part.mp4")), "the film to begin", self.game)
+        self.press_key("q")
+        _, stderr = self.game.communicate(timeout=PATIENCE)
+        self.assertEqual(self.game.returncode, 0)
+        for part in (self.folder / "data").rglob("*.part.mp4"):
+            self.assertIn(part.name.encode(), stderr)
 
     def open_menu(self):
         before = self.screenshot()
