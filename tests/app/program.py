@@ -24,8 +24,9 @@ SMALL_LEVEL = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 8 4.5"><ti
 
 
 def environment(**changes):
-    """The caller's, with a display that does not exist and nobody's own data folder; None removes a name."""
-    result = dict(os.environ, DISPLAY=":9999", NO_COLOR="1")
+    """The caller's, with a display that does not exist, a sound device that nobody hears and nobody's own data folder;
+    None removes a name."""
+    result = dict(os.environ, DISPLAY=":9999", NO_COLOR="1", SDL_AUDIODRIVER="dummy")
     result.pop("WAYLAND_DISPLAY", None)
     for name, value in changes.items():
         result.pop(name, None)
