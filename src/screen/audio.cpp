@@ -42,23 +42,22 @@ private:
     int kept_;
 };
 
-// SDL's audio while it lives.
-struct AudioSystem {
-    AudioSystem() {
-        if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
-    }
-    ~AudioSystem() { SDL_QuitSubSystem(SDL_INIT_AUDIO); }
-    AudioSystem(AudioSystem const&) = delete;
-    AudioSystem& operator=(AudioSystem const&) = delete;
-};
-
 }  // namespace
 
 struct Audio::Body {
+    // SDL's audio while it lives.
+    struct System {
+        System() {
+            if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
+        }
+        ~System() { SDL_QuitSubSystem(SDL_INIT_AUDIO); }
+        System(System const&) = delete;
+        System& operator=(System const&) = delete;
+    };
+
     FillSound fill;
-    std::optional<AudioSystem> system;
+    std::optional<System> system;
     SDL_AudioDeviceID device = 0;
-    SDL_AudioSpec spec{};
 
     Body(int rate, FillSound fill_wanted) : fill(std::move(fill_wanted)) {
         QuietErrors const quiet;
@@ -70,7 +69,7 @@ struct Audio::Body {
         wanted.samples = samples_at_once;
         wanted.callback = fill_for_sdl;
         wanted.userdata = &fill;
-        device = SDL_OpenAudioDevice(nullptr, 0, &wanted, &spec, 0);
+        device = SDL_OpenAudioDevice(nullptr, 0, &wanted, nullptr, 0);
         if (device == 0) throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
         SDL_PauseAudioDevice(device, 0);
     }
@@ -83,7 +82,5 @@ Audio::Audio(int rate, FillSound fill) : body_(std::make_unique<Body>(rate, std:
 Audio::~Audio() = default;
 Audio::Audio(Audio&&) noexcept = default;
 Audio& Audio::operator=(Audio&&) noexcept = default;
-
-double Audio::latency() const { return static_cast<double>(body_->spec.samples) / body_->spec.freq; }
 
 }  // namespace screen

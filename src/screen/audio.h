@@ -11,14 +11,11 @@ using FillSound = std::function<void(float* samples, int count)>;
 
 class Audio {
 public:
-    // At `rate` samples a second. Throws std::runtime_error where there is no device.
+    // At `rate` samples a second, asked for 256 at a time. Throws std::runtime_error where there is no device.
     Audio(int rate, FillSound fill);
     ~Audio();  // after which nothing is asked for any more
     Audio(Audio&&) noexcept;
     Audio& operator=(Audio&&) noexcept;
-
-    // s, from when samples are asked for until the device has been given all of them; what the system adds is its own.
-    double latency() const;
 
 private:
     struct Body;

@@ -387,7 +387,8 @@ class Window(ProgramTest):
 
     def test_f6_films_what_was_played_while_the_game_goes_on(self):
         self.open("software")
-        self.drag_the_ball()
+        self.press_key("space")
+        self.pointer("sleep", 0.3)
         self.press_key("F6")
         films = lambda: [path for path in (self.folder / "data").rglob("*.mp4") if ".part." not in path.name]
         film = until(films, "the film", self.game)[0]
