@@ -14,7 +14,8 @@ namespace app {
 struct FilmOptions {
     SequenceOptions sequence;
     bool no_sound = false;
-    std::function<void(long long frame)> told;  // before each frame, on the calling thread; what it throws ends the film
+    std::function<void(long long frame)>
+        told;  // before each frame, on the calling thread; what it throws ends the film
 };
 
 // Throws UsageError, Interrupted, std::runtime_error, the last two with the name of what is left of the film.

@@ -59,13 +59,13 @@ struct PlayGame {
     double stick = 0;                 // in [-1, 1]: the same of a gamepad
     Toast toast;
     bool help = false;
-    bool film_wanted = false;      // of what has been played
-    std::optional<double> filmed;  // in [0, 1], how much of a film is done that is being made
+    bool film_wanted = false;             // of what has been played
+    std::optional<double> filmed;         // in [0, 1], how much of a film is done that is being made
     std::optional<std::size_t> menu_row;  // the chosen one, while the menu is open
-    bool on_timeline = false;           // the pointer drags the moment that is looked at
-    bool noted = false;                 // the time of reaching the goal has been noted
-    std::optional<double> best_before;  // s, the level's best time when it was opened
-    std::set<game::Lesson> learnt;      // what need not be shown again
+    bool on_timeline = false;             // the pointer drags the moment that is looked at
+    bool noted = false;                   // the time of reaching the goal has been noted
+    std::optional<double> best_before;    // s, the level's best time when it was opened
+    std::set<game::Lesson> learnt;        // what need not be shown again
 };
 
 // The run that plays under the title, again and again.

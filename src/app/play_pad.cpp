@@ -18,7 +18,9 @@ double beyond_dead(double way) {
 
 Sticks sticks_of(SDL_GameController* pad) {
     auto const way = [&](SDL_GameControllerAxis axis) { return SDL_GameControllerGetAxis(pad, axis) / whole_way; };
-    auto const down = [&](SDL_GameControllerButton button) { return SDL_GameControllerGetButton(pad, button) != 0 ? 1 : 0; };
+    auto const down = [&](SDL_GameControllerButton button) {
+        return SDL_GameControllerGetButton(pad, button) != 0 ? 1 : 0;
+    };
     return {way(SDL_CONTROLLER_AXIS_LEFTX), way(SDL_CONTROLLER_AXIS_TRIGGERLEFT), way(SDL_CONTROLLER_AXIS_TRIGGERRIGHT),
             down(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - down(SDL_CONTROLLER_BUTTON_DPAD_LEFT)};
 }
@@ -66,7 +68,8 @@ std::optional<SDL_Keycode> key_for(SDL_GameControllerButton button, Place place)
 
 double lean_of(Sticks const& sticks) {
     double furthest = 0;
-    for (double const way : {beyond_dead(sticks.x), beyond_dead(sticks.right - sticks.left), static_cast<double>(sticks.cross)})
+    for (double const way :
+         {beyond_dead(sticks.x), beyond_dead(sticks.right - sticks.left), static_cast<double>(sticks.cross)})
         if (std::abs(way) > std::abs(furthest)) furthest = way;
     return std::round(furthest * lean_steps) / lean_steps;
 }

@@ -18,9 +18,7 @@ double gain_of(game::Preferences const& preferences) {
     return preferences.muted ? 0 : preferences.volume * preferences.volume;
 }
 
-bool stands_still(PlayGame const& game) {
-    return game.pace.paused || game.looked_at || game.help || game.menu_row;
-}
+bool stands_still(PlayGame const& game) { return game.pace.paused || game.looked_at || game.help || game.menu_row; }
 
 void keep_preferences(PlayGame& game) {
     try {

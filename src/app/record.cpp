@@ -56,7 +56,8 @@ Command record_command(CommandLine& program) {
     auto const options = std::make_shared<FilmOptions>();
     Subcommand command = program.add("record", "A film with its sound, no display needed");
     declare(command, options->sequence);
-    command.needs("-o,--output", options->sequence.output, "demo.mp4, demo.mkv, or demo.wav for the sound alone", "FILE");
+    command.needs("-o,--output", options->sequence.output, "demo.mp4, demo.mkv, or demo.wav for the sound alone",
+                  "FILE");
     command.takes_flag("--no-sound", options->no_sound, "a silent film");
     command.ends_help_with("Example: smb2d record assets/levels/01-sunny-hills.svg -o demo.mp4 --to 5");
     return {command, [options] { return record(*options); }};

@@ -48,7 +48,8 @@ struct Audio::Body {
     // SDL's audio while it lives.
     struct System {
         System() {
-            if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
+            if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0)
+                throw std::runtime_error(std::string("no sound: ") + SDL_GetError());
         }
         ~System() { SDL_QuitSubSystem(SDL_INIT_AUDIO); }
         System(System const&) = delete;

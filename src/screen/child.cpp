@@ -67,7 +67,8 @@ private:
     sigset_t only_{}, before_{};
 };
 
-// Starts the program with the pipes as its stdin, stdout, stderr and second input, and signals as a fresh program finds them.
+// Starts the program with the pipes as its stdin, stdout, stderr and second input, and signals as a fresh program finds
+// them.
 int spawn(pid_t& process, std::vector<std::string> const& arguments, Pipe const& input, Pipe const& output,
           Pipe const& errors, Pipe const& beside) {
     std::vector<char*> words;

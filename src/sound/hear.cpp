@@ -16,15 +16,15 @@ using physics::Event;
 using physics::EventKind;
 using physics::Phase;
 
-constexpr double usual_radius = 0.4;   // m: of a ball that sounds at a timbre's own pitch
-constexpr double grain = 0.022;        // m, of the ground under a ball of usual radius
-constexpr double rolling_speed = 5;    // m/s, at which rolling is heard at two thirds of its loudness
-constexpr double slipping_speed = 3;   // m/s
-constexpr double icy = 0.1;            // friction below which ground is ice
-constexpr double springy = 0.5;        // restitution above which it is rubber
-constexpr double far_away = 8;         // m from the middle of the picture: to the side by `widest`
+constexpr double usual_radius = 0.4;  // m: of a ball that sounds at a timbre's own pitch
+constexpr double grain = 0.022;       // m, of the ground under a ball of usual radius
+constexpr double rolling_speed = 5;   // m/s, at which rolling is heard at two thirds of its loudness
+constexpr double slipping_speed = 3;  // m/s
+constexpr double icy = 0.1;           // friction below which ground is ice
+constexpr double springy = 0.5;       // restitution above which it is rubber
+constexpr double far_away = 8;        // m from the middle of the picture: to the side by `widest`
 constexpr double widest = 0.6;
-constexpr double whole_view = 16;      // m: a level that is no wider is shown whole (docs/game.md)
+constexpr double whole_view = 16;  // m: a level that is no wider is shown whole (docs/game.md)
 
 double share_of(double speed, double two_thirds) { return 1 - 1 / (1 + 2 * speed / two_thirds); }
 
@@ -43,7 +43,8 @@ physics::Ball const& ball_of(game::Session const& session, int ball) {
 // The velocity with which the ball came to a moment at which something happened to it.
 Vec2 velocity_before(game::Session const& session, int ball, double time) {
     auto const& legs = session.history.legs[static_cast<std::size_t>(ball)];
-    auto const after = std::partition_point(legs.begin(), legs.end(), [&](auto const& leg) { return leg.since < time; });
+    auto const after =
+        std::partition_point(legs.begin(), legs.end(), [&](auto const& leg) { return leg.since < time; });
     return physics::at(after == legs.begin() ? *after : *(after - 1), time).velocity;
 }
 
@@ -98,7 +99,8 @@ void add_blow(Score& score, Note const& note) {
 template <typename Visit>
 void each_event(game::Session const& session, double from, double until, Visit visit) {
     auto const& events = session.history.events;
-    auto const first = std::partition_point(events.begin(), events.end(), [&](Event const& e) { return e.time <= from; });
+    auto const first =
+        std::partition_point(events.begin(), events.end(), [&](Event const& e) { return e.time <= from; });
     for (auto event = first; event != events.end() && event->time <= until; ++event) visit(*event);
 }
 
@@ -130,14 +132,14 @@ void add_events(Score& score, game::Session const& session, double from, double 
 }
 
 struct Rung {
-    int step;       // of the world's scale
-    double after;   // s
+    int step;      // of the world's scale
+    double after;  // s
     double loudness;
 };
 
 void add_chime(Score& score, World world, Timbre timbre, long long start, Rung const& rung, double pan) {
-    score.notes.push_back({start + std::llround(rung.after * rate), timbre, pitch_in(world, rung.step), rung.loudness,
-                           1, pan});
+    score.notes.push_back(
+        {start + std::llround(rung.after * rate), timbre, pitch_in(world, rung.step), rung.loudness, 1, pan});
 }
 
 // Up the world's own chord, and the chord once more.
@@ -169,7 +171,8 @@ void add_rules(Score& score, game::Session const& session, double from, double u
         score.notes.push_back({sample_at(clock, *session.fall_time), Timbre::whistle, 1150, 0.13, 0.6, 0});
     auto const& limit = session.level->time_limit;
     bool const over_before = session.goal_time || session.fall_time;
-    if (happens(limit) && !over_before) add_chime(score, world, Timbre::gong, sample_at(clock, *limit), {-7, 0, 0.3}, 0);
+    if (happens(limit) && !over_before)
+        add_chime(score, world, Timbre::gong, sample_at(clock, *limit), {-7, 0, 0.3}, 0);
 }
 
 std::vector<int> heard_balls(level::Level const& level) {
@@ -181,9 +184,10 @@ std::vector<int> heard_balls(level::Level const& level) {
 
 // From terrain to ball, where it touches.
 Vec2 normal_at(physics::Terrain const& terrain, physics::Contact const& contact, Vec2 const& centre) {
-    Vec2 const foot = terrain.is_vertex(contact.feature)
-                          ? terrain.vertex(contact.feature).point
-                          : geometry::nearest_point(terrain.pieces[static_cast<std::size_t>(contact.feature)].curve, centre).point;
+    Vec2 const foot =
+        terrain.is_vertex(contact.feature)
+            ? terrain.vertex(contact.feature).point
+            : geometry::nearest_point(terrain.pieces[static_cast<std::size_t>(contact.feature)].curve, centre).point;
     Vec2 const way = centre - foot;
     double const distance = geometry::length(way);
     return distance > 0 ? Vec2(way / distance) : Vec2(Vec2::UnitY());
@@ -222,7 +226,8 @@ void add_rows(Score& score, game::Session const& session, double from, double un
     Motions& motions = score.motions;
     // The first row that is heard after `from`, and the last that is not after `until`.
     auto const row_after = [&](double time) {
-        double const row = (static_cast<double>(clock.sample) + (time - clock.time) * clock.samples_a_second) / motion_step;
+        double const row =
+            (static_cast<double>(clock.sample) + (time - clock.time) * clock.samples_a_second) / motion_step;
         return static_cast<long long>(std::floor(row)) + 1;
     };
     long long row = row_after(from);

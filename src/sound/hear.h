@@ -8,9 +8,9 @@ namespace sound {
 
 // Which time of the game is heard at which sample: sample + (t - time) * samples_a_second.
 struct Clock {
-    double time = 0;                  // s
-    long long sample = 0;             // heard then
-    double samples_a_second = rate;   // more in slow motion
+    double time = 0;                 // s
+    long long sample = 0;            // heard then
+    double samples_a_second = rate;  // more in slow motion
 };
 long long sample_at(Clock const& clock, double time);  // the nearest
 

@@ -9,7 +9,7 @@ namespace sound {
 
 namespace {
 
-constexpr double shortest_lead = 0.008;  // s
+constexpr double shortest_lead = 0.008;   // s
 constexpr double lead_of_a_frame = 1.25;  // frames: the next one may come late
 constexpr double ramp_step = 1 / (Live::ramp * rate);
 

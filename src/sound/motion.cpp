@@ -21,8 +21,9 @@ constexpr int fading_rows = 30;  // after the last row: 80 ms
 
 Motion between(Motion const& a, Motion const& b, double share) {
     auto const mixed = [&](double x, double y) { return x + (y - x) * share; };
-    return {mixed(a.roll, b.roll),     mixed(a.way, b.way),       mixed(a.hardness, b.hardness), mixed(a.slip, b.slip),
-            mixed(a.scrape, b.scrape), mixed(a.tension, b.tension), mixed(a.pan, b.pan)};
+    return {mixed(a.roll, b.roll), mixed(a.way, b.way),       mixed(a.hardness, b.hardness),
+            mixed(a.slip, b.slip), mixed(a.scrape, b.scrape), mixed(a.tension, b.tension),
+            mixed(a.pan, b.pan)};
 }
 
 Motion faded(Motion motion, double gain) {
@@ -43,7 +44,8 @@ Motion row_at(std::deque<Motion> const& rows, long long i) {
 // Rolling over rough ground is heard at the ground's own scales: three of them, the finer the harder the ground.
 double rolling(Motion const& motion, std::uint64_t ball) {
     double const soft = 1 - motion.hardness;
-    return soft * (0.62 * smooth_noise(motion.way, 3 * ball + 1) + 0.28 * smooth_noise(2.3 * motion.way, 3 * ball + 2)) +
+    return soft *
+               (0.62 * smooth_noise(motion.way, 3 * ball + 1) + 0.28 * smooth_noise(2.3 * motion.way, 3 * ball + 2)) +
            (0.1 + 0.3 * motion.hardness) * smooth_noise(5.1 * motion.way, 3 * ball + 3) +
            0.2 * motion.hardness * smooth_noise(11.7 * motion.way, 3 * ball + 4);
 }

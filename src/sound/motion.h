@@ -5,8 +5,8 @@
 
 namespace sound {
 
-// Adds the samples [first, first + count) to left and right, of which each hangs on the two rows before it. Before the first row and after the last but for a short
-// fading there is silence.
+// Adds the samples [first, first + count) to left and right, of which each hangs on the two rows before it. Before the
+// first row and after the last but for a short fading there is silence.
 void add_motions(Motions const& motions, long long first, int count, double* left, double* right);
 
 }  // namespace sound

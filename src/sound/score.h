@@ -7,20 +7,20 @@
 
 namespace sound {
 
-inline constexpr int rate = 48000;        // samples a second
-inline constexpr int motion_step = 128;   // samples from one row of a motion to the next
-inline constexpr int most_motions = 4;    // balls that are heard to roll: the player's and the first others
+inline constexpr int rate = 48000;       // samples a second
+inline constexpr int motion_step = 128;  // samples from one row of a motion to the next
+inline constexpr int most_motions = 4;   // balls that are heard to roll: the player's and the first others
 
 enum class Timbre {
-    wood,    // a ball on ground
-    glass,   // on ground with little friction
-    rubber,  // on ground that throws back
-    marble,  // ball against ball
-    twang,   // the spring
-    pling,   // a banana
-    bell,    // the goal
-    whistle, // a fall
-    gong,    // the end of the time
+    wood,     // a ball on ground
+    glass,    // on ground with little friction
+    rubber,   // on ground that throws back
+    marble,   // ball against ball
+    twang,    // the spring
+    pling,    // a banana
+    bell,     // the goal
+    whistle,  // a fall
+    gong,     // the end of the time
     kalimba,
     oud,
     celesta,
@@ -33,8 +33,8 @@ enum class Timbre {
 struct Note {
     long long start = 0;  // the sample at which it begins
     Timbre timbre = Timbre::wood;
-    double pitch = 440;   // Hz
-    double loudness = 0;  // about its greatest sample, of 1
+    double pitch = 440;     // Hz
+    double loudness = 0;    // about its greatest sample, of 1
     double brightness = 1;  // in [0, 1]: of the partials above the first
     double pan = 0;         // from -1, left, to 1, right
 };

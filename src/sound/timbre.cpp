@@ -11,10 +11,11 @@ namespace sound {
 namespace {
 
 constexpr double two_pi = 2 * geometry::pi;
-constexpr double unheard = 1e-5;       // of a note's loudness: a partial below is left out
+constexpr double unheard = 1e-5;        // of a note's loudness: a partial below is left out
 constexpr double released_share = 0.2;  // of a note's length, over which it ends
 
-// Bars and plates ring at 1 : 2.76 : 5.40 and the like (Fletcher and Rossing, "The Physics of Musical Instruments", 2.15).
+// Bars and plates ring at 1 : 2.76 : 5.40 and the like (Fletcher and Rossing, "The Physics of Musical
+// Instruments", 2.15).
 constexpr Partial wood[] = {{1, 0.7, 26}, {2.76, 0.3, 48}, {5.4, 0.12, 90}};
 constexpr Partial glass[] = {{1, 0.5, 8}, {2.32, 0.28, 12}, {4.25, 0.16, 18}, {6.63, 0.08, 27}};
 constexpr Partial rubber[] = {{1, 0.75, 11}, {1.98, 0.2, 20}, {3.1, 0.08, 36}};
@@ -65,8 +66,8 @@ struct Envelope {
 
 // A sample of sine and cosine that turns and shrinks by the same factor from one to the next.
 struct Turning {
-    double sine, cosine;              // times the amplitude
-    double turn_sine, turn_cosine;    // times the factor
+    double sine, cosine;            // times the amplitude
+    double turn_sine, turn_cosine;  // times the factor
 
     double next() {
         double const now = sine;
@@ -112,7 +113,8 @@ void add_note(Note const& note, long long first, int count, double* left, double
     std::array<double, block> sum{};
     for (Partial const& partial : voice.partials) {
         double const frequency = partial.ratio * note.pitch, gain = gain_of(partial, note);
-        if (frequency > 0.45 * rate || gain * geometry::exponential(-partial.decay * since / rate) < unheard * note.loudness)
+        if (frequency > 0.45 * rate ||
+            gain * geometry::exponential(-partial.decay * since / rate) < unheard * note.loudness)
             continue;
         if (voice.glide > 0) {
             for (std::size_t i = 0; i < samples; ++i) {

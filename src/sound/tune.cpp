@@ -18,14 +18,14 @@ struct Part {
     int octave;       // above the root's
     double loudness;  // of 1
     double pan;
-    double echo;      // of the loudness, of a second one three steps later at the other side; 0 = none
+    double echo;  // of the loudness, of a second one three steps later at the other side; 0 = none
     std::string_view steps;
 };
 
 struct Tune {
-    int root;                // MIDI
+    int root;                  // MIDI
     std::array<int, 7> scale;  // semitones above the root
-    int step;                // samples
+    int step;                  // samples
     std::array<Part, 4> parts;
 };
 

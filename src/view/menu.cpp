@@ -51,12 +51,12 @@ std::vector<Shape> menu_shapes(std::string const& title, std::vector<MenuRow> co
     double letters = 30 * unit;
     double const room = plan.panel.x() - 2 * menu_margin * unit;
     if (text_width(title) * letters > room) letters = room / text_width(title);
-    shapes.emplace_back(Label{plan.corner + Vec2(plan.panel.x() / 2, 54 * unit), letters, title, palette::ink, Anchor::Centre});
+    shapes.emplace_back(
+        Label{plan.corner + Vec2(plan.panel.x() / 2, 54 * unit), letters, title, palette::ink, Anchor::Centre});
     for (std::size_t row = 0; row < rows.size(); ++row) {
         Vec2 const corner = plan.row_corner(row), extent = plan.row_size();
         bool const is_chosen = row == chosen;
-        if (is_chosen)
-            shapes.emplace_back(Panel{corner + Vec2(0, 3 * unit), extent, 14 * unit, palette::gold_deep});
+        if (is_chosen) shapes.emplace_back(Panel{corner + Vec2(0, 3 * unit), extent, 14 * unit, palette::gold_deep});
         shapes.emplace_back(Panel{corner, extent, 14 * unit, is_chosen ? palette::gold : colour(0xe8eef2)});
         Vec2 const base = corner + unit * Vec2(24, row_height / 2 + 8);
         shapes.emplace_back(Label{base, 23 * unit, rows[row].text, palette::ink, Anchor::Left});

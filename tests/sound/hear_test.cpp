@@ -145,7 +145,8 @@ TEST_CASE("a ball that slides hisses until it grips") {
     double const grips = 6 / (0.2 * gravity * 3);
     auto const& rows = score.motions.rows[0];
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        double const time = static_cast<double>(score.motions.first + static_cast<long long>(i)) * sound::motion_step / sound::rate;
+        double const time =
+            static_cast<double>(score.motions.first + static_cast<long long>(i)) * sound::motion_step / sound::rate;
         CHECK((rows[i].slip > 0) == (time < grips));
     }
 }
@@ -202,7 +203,8 @@ TEST_CASE("bananas, the goal, a fall and the end of the time are heard at their 
 }
 
 TEST_CASE("the spring hums while it is drawn, and twangs when it is let go") {
-    std::vector<game::Input> const inputs{{0.5, game::Grab{0, Vec2(9, 1.6)}}, {0.5625, game::Release{}}};  // before it has settled
+    std::vector<game::Input> const inputs{{0.5, game::Grab{0, Vec2(9, 1.6)}},
+                                          {0.5625, game::Release{}}};  // before it has settled
     Score const score = score_of(floor_level(0), 1, 10, inputs);
     auto const twangs = notes_of(score, Timbre::twang);
     REQUIRE(twangs.size() == 2);
@@ -210,7 +212,8 @@ TEST_CASE("the spring hums while it is drawn, and twangs when it is let go") {
     CHECK(twangs[1].start == 9 * sound::rate / 16);
     CHECK(twangs[1].loudness > twangs[0].loudness);
     for (std::size_t i = 0; i < score.motions.rows[0].size(); ++i) {
-        double const time = static_cast<double>(score.motions.first + static_cast<long long>(i)) * sound::motion_step / sound::rate;
+        double const time =
+            static_cast<double>(score.motions.first + static_cast<long long>(i)) * sound::motion_step / sound::rate;
         CHECK((score.motions.rows[0][i].tension > 0) == (time >= 0.5 && time < 0.5625));
     }
 }

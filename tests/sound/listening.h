@@ -35,7 +35,8 @@ inline void add_sensor(level::Level& level, physics::Region const& region, level
 }
 
 inline game::Session session_of(level::Level const& level, std::vector<game::Input> inputs = {}) {
-    return game::session_of(std::make_shared<level::Level const>(level), physics::Exact{}, std::move(inputs), "run.json");
+    return game::session_of(std::make_shared<level::Level const>(level), physics::Exact{}, std::move(inputs),
+                            "run.json");
 }
 
 // What is heard until a time, without a tune, in stretches of so many seconds.

@@ -45,14 +45,16 @@ struct Stage {
 
 double greatest_between(std::vector<float> const& heard, double from, double to) {
     double greatest = 0;
-    for (auto i = static_cast<std::size_t>(from * sound::rate) * 2; i < static_cast<std::size_t>(to * sound::rate) * 2; ++i)
+    for (auto i = static_cast<std::size_t>(from * sound::rate) * 2; i < static_cast<std::size_t>(to * sound::rate) * 2;
+         ++i)
         greatest = std::max(greatest, static_cast<double>(std::abs(heard[i])));
     return greatest;
 }
 
 double greatest_step(std::vector<double> const& samples) {
     double greatest = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i) greatest = std::max(greatest, std::abs(samples[i] - samples[i - 1]));
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        greatest = std::max(greatest, std::abs(samples[i] - samples[i - 1]));
     return greatest;
 }
 
@@ -63,7 +65,8 @@ TEST_CASE("what happens in the window is heard within 40 ms, whatever the frame 
         Stage stage(floor_level(1));
         stage.play(0.8, 1, frame);
         double const lands = std::sqrt(2 / 9.81);
-        auto const loud = std::find_if(stage.heard.begin(), stage.heard.end(), [](float s) { return std::abs(s) > 0.12f; });
+        auto const loud =
+            std::find_if(stage.heard.begin(), stage.heard.end(), [](float s) { return std::abs(s) > 0.12f; });
         REQUIRE(loud != stage.heard.end());
         double const heard = static_cast<double>((loud - stage.heard.begin()) / 2) / sound::rate;
         // The wood is that loud a few milliseconds after it begins.

@@ -62,7 +62,8 @@ TEST_CASE("a note's partials stand in the spectrum with the strength of decaying
     Note const note{0, Timbre::bell, 500, 0.4, 1, 0};
     auto const& partials = sound::voice_of(Timbre::bell).partials;
     constexpr double from = 0.05, length = 1;  // s: after the attack and before the end
-    auto const left = left_of(sound::samples(score_of_note(note), std::lround(from * sound::rate), std::lround(length * sound::rate)));
+    auto const left = left_of(
+        sound::samples(score_of_note(note), std::lround(from * sound::rate), std::lround(length * sound::rate)));
     for (sound::Partial const& partial : partials) {
         // |integral of g exp(-d t) sin(w t) exp(-i w t)| = g exp(-d t0) (1 - exp(-d T)) / 2 d, but for what is left of
         // the product at twice the frequency and of the other partials.

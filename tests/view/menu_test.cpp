@@ -35,11 +35,14 @@ TEST_CASE("the way along a bar grows from 0 to 1 to the right") {
 }
 
 TEST_CASE("the chosen row looks otherwise than the others") {
-    auto const shapes = [](std::size_t chosen) { return view::menu_shapes("Pause", {{"Go on", {}}, {"Sound", 0.5}}, chosen, Vec2(1280, 720)); };
+    auto const shapes = [](std::size_t chosen) {
+        return view::menu_shapes("Pause", {{"Go on", {}}, {"Sound", 0.5}}, chosen, Vec2(1280, 720));
+    };
     auto const gold_at = [](std::vector<view::Shape> const& all) {
         double y = -1;
         for (view::Shape const& shape : all)
-            if (auto const* panel = std::get_if<view::Panel>(&shape); panel && panel->colour.red > 0.9f && panel->colour.blue < 0.3f)
+            if (auto const* panel = std::get_if<view::Panel>(&shape);
+                panel && panel->colour.red > 0.9f && panel->colour.blue < 0.3f)
                 y = panel->corner.y();
         return y;
     };
