@@ -1,5 +1,7 @@
 #include "app/play_pad.h"
 
+#include <vector>
+
 #include <doctest/doctest.h>
 
 using app::Pads;
