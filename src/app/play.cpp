@@ -118,6 +118,7 @@ int play(PlayOptions const& options) {
     game::MethodWish const wish = wish_from(options.method);
     Tour tour = tour_for(options.file);
     PlayGame game = game_for(options, tour, wish);
+    if (options.no_turn) game.turning = view::Turning::never;
     if (!options.ghost.empty()) accompany(game, options.ghost);
     settings.title = title_of(game);
     screen::Window window(settings);
@@ -138,6 +139,7 @@ Command play_command(CommandLine& program) {
     command.takes("-s,--size", options->size, "pixels (default: 1280x720)", "WxH");
     command.takes("--ghost", options->ghost, "a run of the same level that rolls along", "RUN");
     command.takes_flag("--no-sound", options->no_sound, "use no sound device");
+    command.takes_flag("--no-turn", options->no_turn, "the picture does not turn as the stage is tilted");
     command.takes_flag("--fullscreen", options->fullscreen, "fill the screen");
     command.ends_help_with("Example: smb2d play assets/levels/01-sunny-hills.svg");
     return {command, [options] { return play(*options); }};

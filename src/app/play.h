@@ -14,6 +14,7 @@ struct PlayOptions {
     std::string ghost;  // a run that rolls along; empty = none
     bool fullscreen = false;
     bool no_sound = false;
+    bool no_turn = false;  // of the picture, as the stage is tilted
 };
 
 // The exit status. Throws UsageError, Interrupted, std::runtime_error, the last also where there is no display.

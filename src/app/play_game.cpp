@@ -73,8 +73,7 @@ bool has_come_to_an_end(PlayGame const& game) {
 
 // Where the pointer that drags a ball is in the world, which depends on where the camera is.
 Vec2 pointer_at(PlayGame const& game, double time) {
-    view::Camera const camera = view::camera_at(game.stage->level, game.session.history, time, game.size, game.lens);
-    return view::world_of(camera, *game.held);
+    return view::world_of(view::camera_of(game.session, time, game.size, game.turning, game.lens), *game.held);
 }
 
 // Tells the session where the pointer is in the world now, be it because the camera has moved.
@@ -155,6 +154,7 @@ void adopt(PlayGame& game, PlayGame other) {
     other.size = game.size;
     other.overlays = game.overlays;
     other.preferences = game.preferences;
+    other.turning = game.turning;
     other.lean = game.lean;
     other.stick = game.stick;
     other.pointer = game.pointer;
@@ -256,8 +256,7 @@ double flight_of(PlayGame const& game) {
 }
 
 view::Camera camera_of(PlayGame const& game) {
-    view::Camera const camera =
-        view::camera_at(game.stage->level, game.session.history, shown_time(game), game.size, game.lens);
+    view::Camera const camera = view::camera_of(game.session, shown_time(game), game.size, game.turning, game.lens);
     return view::towards_goal(game.stage->level, camera, flight_of(game));
 }
 
@@ -363,6 +362,12 @@ void cycle_overlay(PlayGame& game) {
     std::size_t const next = (at + 1) % count;
     game.overlays = order[next];
     say(game, std::string("Overlay: ") + names[next]);
+}
+
+void switch_turning(PlayGame& game) {
+    bool const turned = game.turning == view::Turning::with_gravity;
+    game.turning = turned ? view::Turning::never : view::Turning::with_gravity;
+    say(game, turned ? "The picture stays upright" : "The picture turns as the stage is tilted");
 }
 
 std::optional<std::string> save_run(PlayGame& game) {

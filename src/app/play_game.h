@@ -16,6 +16,7 @@
 #include "game/session.h"
 #include "view/scene_picture.h"
 #include "view/timeline.h"
+#include "view/turning.h"
 
 namespace app {
 
@@ -48,6 +49,7 @@ struct PlayGame {
 
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
     view::Lens lens;
+    view::Turning turning = view::Turning::with_gravity;
     view::Overlays overlays;
     game::Preferences preferences;
     std::optional<Vec2> pointer;      // pixels, where it was last seen
@@ -134,6 +136,7 @@ std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel);
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches);
 void single_step(PlayGame& game);
 void cycle_overlay(PlayGame& game);
+void switch_turning(PlayGame& game);
 // Into the user's data folder, never over another file; tells where, or why not, in a toast and on standard error.
 std::optional<std::string> save_run(PlayGame& game);  // the run's file
 

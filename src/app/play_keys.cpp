@@ -256,6 +256,9 @@ KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window
         case SDLK_o:
             cycle_overlay(game);
             break;
+        case SDLK_t:
+            switch_turning(game);
+            break;
         case SDLK_F5:
             save_run(game);
             break;

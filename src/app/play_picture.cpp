@@ -26,6 +26,7 @@ std::vector<view::KeyHelp> key_help() {
             {"Enter", "after the goal: the next level; after a fall: again"},
             {"L", "all levels, to pick one"},
             {"Tab", "next level; PageDown and PageUp walk through them"},
+            {"T", "whether the picture turns as the stage is tilted"},
             {"O", "overlay: figures, forces, energy, all, none"},
             {"M", "mute; minus and plus: volume"},
             {"F3", "next method, from the beginning"},
@@ -124,7 +125,7 @@ std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const&
     int const player = game.stage->level.player;
     physics::State const ball = physics::state_at(other.history, player, time);
     double const radius = game.stage->level.scene.balls[static_cast<std::size_t>(player)].radius * camera.scale;
-    return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle);
+    return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle - view::turn_of(camera));
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ FrameOrder order_for(Sequence& sequence, long long frame) {
     FrameOrder order;
     order.frame = frame;
     order.moment = view::moment_of(session, time, view::recall_for(sequence.overlays));
-    order.camera = view::camera_at(*session.level, session.history, time,
-                                   geometry::Vec2(sequence.size.width, sequence.size.height));
+    geometry::Vec2 const size(sequence.size.width, sequence.size.height);
+    order.camera = view::camera_of(session, time, size, sequence.turning);
     return order;
 }
 
@@ -58,6 +58,7 @@ void declare(Subcommand& command, SequenceOptions& options) {
     command.takes("--from", options.from, "the first frame's time (default: 0)", "S");
     command.takes("--to", options.to, "the end (default: the run's duration, else 10)", "S");
     command.takes("--overlay", options.overlay, "figures, forces, energy, with commas, or all", "LIST");
+    command.takes_flag("--no-turn", options.no_turn, "the picture does not turn as the stage is tilted");
     command.takes("--jobs", options.jobs, "threads that paint (default: one a core)", "N");
     command.takes_flag("--overwrite", options.overwrite, "replace files that are there already");
     command.takes_flag("-q,--quiet", options.quiet, "neither progress nor notes");
@@ -71,6 +72,7 @@ Sequence sequence_for(SequenceOptions const& options) {
     sequence.from = time_from("--from", options.from);
     sequence.rate = positive_fraction_from("--fps", options.rate);
     sequence.quiet = options.quiet;
+    if (options.no_turn) sequence.turning = view::Turning::never;
     int const jobs = jobs_from(options.jobs);
     std::optional<game::Fraction> to;
     if (options.to) to = time_from("--to", *options.to);

@@ -13,6 +13,7 @@
 #include "app/options.h"
 #include "screen/pixels.h"
 #include "view/scene_picture.h"
+#include "view/turning.h"
 
 namespace app {
 
@@ -23,6 +24,7 @@ struct SequenceOptions {
     std::optional<std::string> to, jobs;
     bool overwrite = false;
     bool quiet = false;
+    bool no_turn = false;
 };
 void declare(Subcommand& command, SequenceOptions& options);
 
@@ -31,6 +33,7 @@ struct Sequence {
     game::Session session;
     view::Stage stage;
     view::Overlays overlays;
+    view::Turning turning = view::Turning::with_gravity;
     Size size;
     game::Fraction from, rate;
     long long count = 0;  // frames

@@ -55,9 +55,11 @@ Quad area_quad(view::Paint const& paint) {
     double const tile = grain_metres * std::max(paint.grain_scale, 1e-3);  // pixels
     double const texels = grain_side / tile;                               // per pixel
     double const bottom = paint.bottom_y == paint.top_y ? paint.top_y + 1 : paint.bottom_y;
-    quad.place = {static_cast<float>(wrapped(paint.grain_origin.x(), tile)),
-                  static_cast<float>(wrapped(paint.grain_origin.y(), tile)), static_cast<float>(1 / tile),
-                  static_cast<float>(std::max(0.0, std::log2(texels)))};
+    double const across = geometry::dot(paint.grain_origin, geometry::turned_right(paint.down));
+    double const below = geometry::dot(paint.grain_origin, paint.down);
+    quad.axes = {static_cast<float>(paint.down.x()), static_cast<float>(paint.down.y()), 0, 0};
+    quad.place = {static_cast<float>(wrapped(across, tile)), static_cast<float>(wrapped(below, tile)),
+                  static_cast<float>(1 / tile), static_cast<float>(std::max(0.0, std::log2(texels)))};
     quad.form = {static_cast<float>(paint.top_y), static_cast<float>(bottom), static_cast<float>(paint.grain), 0};
     return quad;
 }

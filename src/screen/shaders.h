@@ -3,7 +3,7 @@
 
 namespace screen::shaders {
 
-// A shape is a quad of four corners in pixels and eight numbers that its fragment shader knows the meaning of.
+// A shape is a quad of four corners in pixels and numbers that its fragment shader knows the meaning of.
 inline constexpr char const* vertex = R"(#version 330 core
 layout(location = 0) in vec4 first_corners;
 layout(location = 1) in vec4 last_corners;
@@ -11,8 +11,9 @@ layout(location = 2) in vec4 place_in;
 layout(location = 3) in vec4 form_in;
 layout(location = 4) in vec4 colour_in;
 layout(location = 5) in vec4 second_colour_in;
+layout(location = 6) in vec4 axes_in;
 uniform vec2 frame_size;
-flat out vec4 place, form, colour, second_colour;
+flat out vec4 place, form, colour, second_colour, axes;
 void main() {
     vec4 pair = gl_VertexID < 2 ? first_corners : last_corners;
     vec2 corner = (gl_VertexID & 1) == 0 ? pair.xy : pair.zw;
@@ -21,12 +22,13 @@ void main() {
     form = form_in;
     colour = colour_in;
     second_colour = second_colour_in;
+    axes = axes_in;
 }
 )";
 
 // What all fragment shaders begin with. Colours are blended with their alpha multiplied in.
 inline constexpr char const* fragment_head = R"(#version 330 core
-flat in vec4 place, form, colour, second_colour;
+flat in vec4 place, form, colour, second_colour, axes;
 out vec4 pixel;
 vec4 multiplied(vec4 c) { return vec4(c.rgb * c.a, c.a); }
 )";
@@ -65,16 +67,17 @@ void main() {
 }
 )";
 
-// All areas and the sky, with what `paint` and `inside` stand for below. place: pixel of the world's origin, tiles of
-// grain a pixel, level of detail; form: upper y, lower y, strength of the grain, number of the edge tile in its atlas.
+// All areas and the sky. axes: the way down; place: the world's origin along right and down, in pixels, tiles of grain
+// a pixel, level of detail; form: upper and lower end of the gradient along down, strength of the grain, number of the
+// edge tile in its atlas.
 inline constexpr char const* area = R"(
 uniform sampler2D coverage, grain;
 vec4 smooth_paint() {
-    return mix(colour, second_colour, clamp((gl_FragCoord.y - form.x) / (form.y - form.x), 0.0, 1.0));
+    return mix(colour, second_colour, clamp((dot(gl_FragCoord.xy, axes.xy) - form.x) / (form.y - form.x), 0.0, 1.0));
 }
 vec4 grained_paint() {
     vec4 paint = smooth_paint();
-    vec2 texel = (gl_FragCoord.xy - place.xy) * place.z;
+    vec2 texel = (vec2(dot(gl_FragCoord.xy, vec2(axes.y, -axes.x)), dot(gl_FragCoord.xy, axes.xy)) - place.xy) * place.z;
     paint.rgb *= 1.0 + form.z * (textureLod(grain, texel, place.w).r - 0.502);
     return vec4(min(paint.rgb, 1.0), paint.a);
 }

@@ -124,18 +124,18 @@ void add_spark(std::vector<Shape>& shapes, Vec2 const& at, double size, double a
 
 std::vector<Shape> banana_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
     std::vector<Shape> shapes;
+    Vec2 const up = pixels_along(camera, Vec2::UnitY()) / camera.scale;
     for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
         auto const* disc = std::get_if<physics::DiscRegion>(&level.scene.sensors[i].region);
         if (level.meanings[i] != level::Meaning::banana || !disc) continue;
         if (!in_sight(camera, disc->centre, 4 * disc->radius)) continue;
         double const size = disc->radius * camera.scale;
         double const phase = 2.4 * moment.time + 1.7 * static_cast<double>(i);
-        Vec2 const bob(0, -0.12 * size * std::sin(phase));
-        Vec2 const at = pixel_of(camera, disc->centre) + bob;
+        Vec2 const at = pixel_of(camera, disc->centre) + 0.12 * size * std::sin(phase) * up;
         if (has_fired(moment, i))
             add_spark(shapes, at, size, moment.time - moment.noticed_at[i]);
         else
-            add_banana(shapes, {at, 0.95 * size, -0.45 + 0.16 * std::sin(0.8 * phase)}, 1);
+            add_banana(shapes, {at, 0.95 * size, -0.45 + 0.16 * std::sin(0.8 * phase) + turn_of(camera)}, 1);
     }
     return shapes;
 }
@@ -171,7 +171,7 @@ std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, 
         Shell shell;
         shell.centre = pixel_of(camera, moment.balls[i].position);
         shell.radius = radius * camera.scale;
-        shell.angle = moment.balls[i].angle;
+        shell.angle = moment.balls[i].angle - turn_of(camera);
         shell.livery = player ? 0 : livery;
         shell.own = own_livery(level, i);
         shapes.emplace_back(shell);

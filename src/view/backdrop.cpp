@@ -66,7 +66,8 @@ struct Distance {
 Distance distance_of(level::Level const& level, Camera const& camera) {
     double const unit = std::min(camera.size.x() / whole_width, camera.size.y() / whole_height);
     double const foot = camera.size.y() / 2 + unit * whole_height / 2;
-    return {unit * std::pow(camera.scale / unit, 0.3), camera.centre - level.size / 2, camera.size, foot, unit};
+    return {unit * std::pow(camera.scale / unit, 0.3), camera.centre - camera.swing - level.size / 2, camera.size, foot,
+            unit};
 }
 
 struct Ridge {
@@ -167,7 +168,8 @@ void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera 
         } else {
             auto const& arc = std::get<geometry::Arc>(curve);
             Vec2 const centre = pixel_of(camera, arc.centre);
-            shapes.emplace_back(ArcStroke{centre, arc.radius * camera.scale, -arc.from, -arc.sweep, width, paint});
+            double const from = turn_of(camera) - arc.from;
+            shapes.emplace_back(ArcStroke{centre, arc.radius * camera.scale, from, -arc.sweep, width, paint});
         }
     }
 }
@@ -229,7 +231,8 @@ unsigned long long backdrop_key_of(level::Level const& level, Camera const& came
     };
     add(level.hash.data(), level.hash.size());
     add(level.file.data(), level.file.size());
-    double const numbers[] = {camera.centre.x(), camera.centre.y(), camera.scale, camera.size.x(), camera.size.y()};
+    double const numbers[] = {camera.centre.x(), camera.centre.y(), camera.scale,     camera.size.x(), camera.size.y(),
+                              camera.right.x(),  camera.right.y(),  camera.swing.x(), camera.swing.y()};
     add(numbers, sizeof numbers);
     return hash == 0 ? 1 : hash;
 }

@@ -3,96 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/path_mean.h"
+#include "view/soft_limits.h"
+
 namespace view {
 
 namespace {
 
-// Sideways and up: over which time, s, the place and the velocity are averaged. The velocity turns round at a bounce,
-// so it is the one that must be slow. Up and down there is less room to lag behind in.
-struct Spans {
-    double place, velocity;
-    double mean_age() const { return 0.4 * place; }  // of weight()
-};
-constexpr Spans spans[] = {{1.0, 1.6}, {0.7, 1.2}};
-constexpr double longest_span = 1.6;  // s
-constexpr double spacing = 1.0 / 60;  // s, the path is taken as straight between whole multiples of it
-constexpr double ahead = 0.3;         // s, how far ahead it looks in a steady motion, sideways
-static_assert(longest_span + 2 * spacing < camera_memory);
-
-// Up to the limits exactly x; smooth, and never beyond `most`, where |x| exceeds `free`.
-double softly_limited(double x, double free, double most) {
-    double const beyond = std::abs(x) - free, room = most - free;
-    if (beyond <= 0) return x;
-    return std::copysign(free + room * std::tanh(beyond / room), x);
-}
-
-// max(x, low) with a parabola in place of the bend; never below `low`, and x itself from low + width on.
-double softly_above(double x, double low, double width) {
-    if (x >= low + width) return x;
-    if (x <= low - width) return low;
-    double const rise = x - low + width;
-    return low + rise * rise / (4 * width);
-}
-
-double softly_within(double x, double low, double high) {
-    double const width = std::min(1.5, (high - low) / 4);
-    if (!(width > 0)) return (low + high) / 2;
-    return -softly_above(-softly_above(x, low, width), -high, width);
-}
-
-// Where a ball has fallen out it is no longer followed.
-Vec2 followed(level::Level const& level, physics::History const& history, double time) {
-    Vec2 const position = physics::state_at(history, level.player, std::max(time, history.from)).position;
-    Vec2 place;
-    for (int axis = 0; axis < 2; ++axis)
-        place[axis] = softly_within(position[axis], -level.size[axis] / 2, level.size[axis] * 1.5);
-    return place;
-}
-
-// The kernel over age by which the path is averaged, of area 1, and its derivative: the kernel and, at the far end, its
-// slope are 0, so that the mean velocity is continuous where the ball's is not.
-double weight(double age, double over) {
-    return age < over ? 12 * age * (over - age) * (over - age) / (over * over * over * over) : 0;
-}
-double slope(double age, double over) {
-    return age < over ? 12 * (over - age) * (over - 3 * age) / (over * over * over * over) : 0;
-}
-
-struct Mean {
-    Vec2 position = Vec2::Zero();  // m
-    Vec2 velocity = Vec2::Zero();  // m/s
-};
-
-// The integrals of the weights times position and velocity, from where the ball is now. The path is a chain of chords
-// whose joints stand still while time goes on; over each of them three points of Gauss are exact.
-Mean mean_of_path(level::Level const& level, physics::History const& history, double time) {
-    struct Point {
-        double place, share;
-    };
-    static double const node = std::sqrt(0.6);
-    Point const points[] = {{-node, 5.0 / 18}, {0, 8.0 / 18}, {node, 5.0 / 18}};
-    Vec2 const now = followed(level, history, time);
-    Mean mean{now, Vec2::Zero()};
-    double end = time;
-    Vec2 place = now;
-    for (double joint = std::ceil(time / spacing) - 1; end > time - longest_span; --joint) {
-        double const start = joint * spacing;
-        Vec2 const before = followed(level, history, start);
-        double const from = std::max(start, time - longest_span);
-        for (Point const& point : points) {
-            double const when = (from + end) / 2 + (end - from) / 2 * point.place;
-            Vec2 const off = before + (place - before) * ((when - start) / (end - start)) - now;
-            for (int axis = 0; axis < 2; ++axis) {
-                double const share = (end - from) * point.share * off[axis];
-                mean.position[axis] += share * weight(time - when, spans[axis].place);
-                mean.velocity[axis] += share * slope(time - when, spans[axis].velocity);
-            }
-        }
-        end = start;
-        place = before;
-    }
-    return mean;
-}
+constexpr double ahead = 0.3;  // s, how far ahead it looks in a steady motion, sideways
 
 // Of a level that is not shown whole, how wide a part of it is seen: as many radii as in the levels that ship.
 double wanted_width(level::Level const& level) {
@@ -133,6 +51,12 @@ void show_whole(Camera& camera, level::Level const& level, Vec2 const& ball, dou
     camera.scale /= farther;
 }
 
+// One axis: how far from the middle of what is seen a ball is, m, when it is never beyond the edge.
+double kept_in_sight(double off, double radius, double view) {
+    double const most = std::max(0.25 * view, 0.5 * view - radius);
+    return softly_limited(off, most - std::min(radius, 0.2 * most), most);
+}
+
 // One axis: ahead of the ball, within the level where it is larger than the view, as far beyond it as the ball is, and
 // never without the ball.
 struct Axis {
@@ -146,25 +70,30 @@ double followed_by(Axis const& axis) {
     double const above = softly_above(ball + radius - extent - margin, 0, width);
     double const low = std::min(view, extent) / 2 - below, high = std::max(extent - view / 2, extent / 2) + above;
     double const centre = softly_within(looked_at, low, high);
-    double const most = std::max(0.25 * view, 0.5 * view - radius);
-    return ball - softly_limited(ball - centre, most - std::min(radius, 0.2 * most), most);
+    return ball - kept_in_sight(ball - centre, radius, view);
 }
 
 }  // namespace
 
+Vec2 pixels_along(Camera const& camera, Vec2 const& way) {
+    return {geometry::dot(way, camera.right) * camera.scale, -geometry::cross(camera.right, way) * camera.scale};
+}
+
 Vec2 pixel_of(Camera const& camera, Vec2 const& world) {
-    Vec2 const offset = (world - camera.centre) * camera.scale;
-    return {camera.size.x() / 2 + offset.x(), camera.size.y() / 2 - offset.y()};
+    return camera.size / 2 + pixels_along(camera, world - camera.centre);
 }
 
 Vec2 world_of(Camera const& camera, Vec2 const& pixel) {
     Vec2 const offset = (pixel - camera.size / 2) / camera.scale;
-    return {camera.centre.x() + offset.x(), camera.centre.y() - offset.y()};
+    return camera.centre + offset.x() * camera.right - offset.y() * geometry::turned_left(camera.right);
 }
 
+double turn_of(Camera const& camera) { return std::atan2(camera.right.y(), camera.right.x()); }
+
 geometry::Box sight_of(Camera const& camera) {
-    Vec2 const half = camera.size / (2 * camera.scale);
-    return {camera.centre - half, camera.centre + half};
+    Vec2 const half = camera.size / (2 * camera.scale), right = camera.right.cwiseAbs();
+    Vec2 const reach(half.x() * right.x() + half.y() * right.y(), half.x() * right.y() + half.y() * right.x());
+    return {camera.centre - reach, camera.centre + reach};
 }
 
 double size_unit(level::Level const& level) { return wanted_width(level) / whole_width; }
@@ -181,7 +110,7 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
         show_whole(camera, level, ball, radius);
         return camera;
     }
-    Mean const mean = mean_of_path(level, history, time);
+    PathMean const mean = mean_of_path(level, history, time);
     // Up and down it looks where the ball is: a bouncing one would rock the picture.
     Vec2 const lead(spans[0].mean_age() + ahead, spans[1].mean_age());
     for (int i = 0; i < 2; ++i) {
@@ -189,6 +118,29 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
         double const looked_at = mean.position[i] + lead_length + lens.pan[i];
         camera.centre[i] = followed_by({ball[i], looked_at, radius, level.size[i], view[i]});
     }
+    return camera;
+}
+
+Camera turned_camera(Camera camera, level::Level const& level, physics::History const& history, double time,
+                     double turn) {
+    if (turn == 0) return camera;
+    double const cosine = std::cos(turn), sine = std::sin(turn);
+    PathMean const mean = mean_of_path(level, history, time);
+    Vec2 const late(spans[0].mean_age(), spans[1].mean_age());
+    Vec2 const pivot = mean.position + late.cwiseProduct(mean.velocity);
+    Vec2 const ball = followed(level, history, time), before = camera.centre;
+    camera.centre = pivot + geometry::turned(before - pivot, cosine, sine);
+    camera.right = Vec2(cosine, sine);
+    // What may be beyond the edge now is moved in, but no more than it was already.
+    double const radius = level.scene.balls[static_cast<std::size_t>(level.player)].radius;
+    Vec2 const off = geometry::turned(ball - camera.centre, cosine, -sine);
+    Vec2 shift = Vec2::Zero();
+    for (int i = 0; i < 2; ++i) {
+        double const view = camera.size[i] / camera.scale, earlier = ball[i] - before[i];
+        shift[i] = kept_in_sight(off[i], radius, view) - off[i] - (kept_in_sight(earlier, radius, view) - earlier);
+    }
+    camera.centre -= geometry::turned(shift, cosine, sine);
+    camera.swing = camera.centre - before;
     return camera;
 }
 
@@ -217,7 +169,8 @@ Camera towards_goal(level::Level const& level, Camera camera, double share) {
 Lens zoomed(Lens const& lens, Camera const& camera, Vec2 const& pixel, double notches) {
     Lens after = lens;
     after.zoom = std::clamp(lens.zoom * std::pow(1.15, notches), least_zoom, greatest_zoom);
-    Vec2 const from_centre = world_of(camera, pixel) - camera.centre;
+    // A pan is along the world's axes before the turn.
+    Vec2 const off = (pixel - camera.size / 2) / camera.scale, from_centre(off.x(), -off.y());
     after.pan += from_centre * (1 - lens.zoom / after.zoom);
     // Back at the natural zoom nothing of a pan is left; further in, the ball must stay in sight.
     Vec2 const reach = 0.4 * camera.size / camera.scale * (lens.zoom / after.zoom) * std::max(0.0, 1 - 1 / after.zoom);

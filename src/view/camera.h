@@ -12,12 +12,20 @@ struct Camera {
     Vec2 centre = Vec2::Zero();   // m, the point of the world in the middle of the picture
     double scale = 80;            // pixels per metre
     Vec2 size = Vec2(1280, 720);  // pixels
+    Vec2 right = Vec2::UnitX();   // unit, the world's direction that is seen to the right: turned_camera
+    Vec2 swing = Vec2::Zero();    // m, by which turning has moved the centre: what is far away does not follow
 };
 
 Vec2 pixel_of(Camera const& camera, Vec2 const& world);
 Vec2 world_of(Camera const& camera, Vec2 const& pixel);
 
-// What of the world is seen, m.
+// Pixels: what a way in the world, m, is in the picture.
+Vec2 pixels_along(Camera const& camera, Vec2 const& way);
+
+// rad, counter-clockwise: by which `right` is turned, and the world is seen turned clockwise.
+double turn_of(Camera const& camera);
+
+// A box around what of the world is seen, m.
 geometry::Box sight_of(Camera const& camera);
 
 // What the player has turned the wheel to; the default shows what pictures without a window show.
@@ -43,6 +51,11 @@ double size_unit(level::Level const& level);
 // yet, is kept in sight: a level that was shown whole is seen from farther away then.
 Camera camera_at(level::Level const& level, physics::History const& history, double time, Vec2 const& size,
                  Lens const& lens = {});
+
+// The same camera with the world turned clockwise by `turn`, rad, about where the ball softly is: all that camera_at
+// says of softness holds, and the ball stays in sight. Turned by 0 it is the same to the bit.
+Camera turned_camera(Camera camera, level::Level const& level, physics::History const& history, double time,
+                     double turn);
 
 // m, the middle of what notices balls.
 Vec2 middle_of(physics::Region const& region);

@@ -16,7 +16,8 @@ struct Glow {
     float strength = 1;  // brighter once it has been reached
     Colour light = palette::gold;
     Colour post = palette::gold, post_deep = palette::gold_deep;
-    double metre = 80;   // pixels, of what has no size of its own
+    double metre = 80;                                 // pixels, of what has no size of its own
+    Vec2 across = Vec2::UnitX(), up = -Vec2::UnitY();  // unit, on the screen: the world's axes
 };
 
 // The drawing's fill is the goal's light, its stroke the posts; of one alone, both.
@@ -57,36 +58,39 @@ void add_checks(std::vector<Shape>& shapes, Vec2 const& from, Vec2 const& to, Ve
 }
 
 void add_post(std::vector<Shape>& shapes, Vec2 const& foot, Vec2 const& head, double width, Glow const& glow) {
-    Vec2 const aside(0.22 * width, 0);
+    Vec2 const aside = 0.22 * width * glow.across;
     shapes.emplace_back(Stroke{foot, head, width, glow.post_deep});
     shapes.emplace_back(Stroke{foot - aside, head - aside, 0.4 * width, glow.post});
     shapes.emplace_back(Disc{head, 0.85 * width, glow.post, glow.post_deep, 0.2 * width, 0});
 }
 
 void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const& camera, Glow const& glow) {
-    Vec2 const low = pixel_of(camera, box.low), high = pixel_of(camera, box.high);
-    double const width = high.x() - low.x(), height = low.y() - high.y();
+    Vec2 const left_foot = pixel_of(camera, box.low), right_head = pixel_of(camera, box.high);
+    Vec2 const right_foot = pixel_of(camera, {box.high.x(), box.low.y()});
+    Vec2 const left_head = pixel_of(camera, {box.low.x(), box.high.y()});
+    Vec2 const width = right_foot - left_foot, height = left_head - left_foot;
     Area light;
-    light.rings = {{{low.x(), low.y()}, {high.x(), low.y()}, {high.x(), high.y()}, {low.x(), high.y()}}};
+    light.rings = {{left_foot, right_foot, right_head, left_head}};
     light.paint.top = faded(glow.light, 0.08f * glow.strength);
     light.paint.bottom = faded(glow.light, 0.5f * glow.strength);
-    light.paint.top_y = high.y();
-    light.paint.bottom_y = low.y();
+    light.paint.down = -glow.up;
+    light.paint.top_y = geometry::dot(left_head, light.paint.down);
+    light.paint.bottom_y = geometry::dot(left_foot, light.paint.down);
     shapes.emplace_back(std::move(light));
     // Lights that rise through the gate.
     for (int i = 0; i < 7; ++i) {
         double const rise = 0.35 * glow.time + 0.381966 * i;
         double const share = rise - std::floor(rise);
-        double const x = low.x() + width * (0.12 + 0.76 * std::fmod(0.618034 * i, 1.0));
+        Vec2 const at = left_foot + width * (0.12 + 0.76 * std::fmod(0.618034 * i, 1.0)) + share * height;
         float const alpha = static_cast<float>(std::sin(3.14159265 * share)) * 0.8f;
         double const radius = 0.05 * glow.metre;
-        shapes.emplace_back(Disc{{x, low.y() - share * height}, radius, colour(0xfff6c0, alpha), {}, 0, 0.8 * radius});
+        shapes.emplace_back(Disc{at, radius, colour(0xfff6c0, alpha), {}, 0, 0.8 * radius});
     }
     double const post = 0.11 * glow.metre;
-    double const cloth = std::min(0.36 * glow.metre, 0.4 * height);
-    add_checks(shapes, {low.x(), high.y()}, {high.x(), high.y()}, {0, cloth}, glow.time);
-    add_post(shapes, {low.x(), low.y()}, {low.x(), high.y()}, post, glow);
-    add_post(shapes, {high.x(), low.y()}, {high.x(), high.y()}, post, glow);
+    double const cloth = std::min(0.36 * glow.metre, 0.4 * geometry::length(height));
+    add_checks(shapes, left_head, right_head, -cloth * glow.up, glow.time);
+    add_post(shapes, left_foot, left_head, post, glow);
+    add_post(shapes, right_foot, right_head, post, glow);
 }
 
 void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camera const& camera, Glow const& glow) {
@@ -112,19 +116,19 @@ void add_ring(std::vector<Shape>& shapes, physics::DiscRegion const& disc, Camer
 
 void add_finish(std::vector<Shape>& shapes, physics::LineRegion const& line, Camera const& camera, Glow const& glow) {
     Vec2 from = pixel_of(camera, line.from), to = pixel_of(camera, line.to);
-    if (from.y() < to.y()) std::swap(from, to);  // `to` is the upper end
+    if (line.from.y() > line.to.y()) std::swap(from, to);  // `to` is the upper end
     double const post = 0.1 * glow.metre;
     shapes.emplace_back(Stroke{from, to, 3.5 * post, faded(glow.light, 0.2f * glow.strength)});
-    Vec2 const way = to - from;
+    Vec2 const way = line.to - line.from;  // m
     bool const upright = std::abs(way.y()) > std::abs(way.x());
     if (!upright) {
-        add_checks(shapes, from, to, {0, 0.27 * glow.metre}, 0);
-        add_post(shapes, from, from - Vec2(0, 0.15 * glow.metre), post, glow);
-        add_post(shapes, to, to - Vec2(0, 0.15 * glow.metre), post, glow);
+        add_checks(shapes, from, to, -0.27 * glow.metre * glow.up, 0);
+        add_post(shapes, from, from + 0.15 * glow.metre * glow.up, post, glow);
+        add_post(shapes, to, to + 0.15 * glow.metre * glow.up, post, glow);
         return;
     }
-    double const flag = std::clamp(0.3 * geometry::length(way), 0.3 * glow.metre, 0.6 * glow.metre);
-    add_checks(shapes, to, to + Vec2(1.5 * flag, 0), {0, flag}, glow.time);
+    double const flag = std::clamp(0.3 * geometry::length(to - from), 0.3 * glow.metre, 0.6 * glow.metre);
+    add_checks(shapes, to, to + 1.5 * flag * glow.across, -flag * glow.up, glow.time);
     add_post(shapes, from, to, post, glow);
 }
 
@@ -152,6 +156,8 @@ std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, 
         Glow glow;
         glow.time = moment.time;
         glow.metre = size_unit(level) * camera.scale;
+        glow.across = pixels_along(camera, Vec2::UnitX()) / camera.scale;
+        glow.up = pixels_along(camera, Vec2::UnitY()) / camera.scale;
         if (has_fired(moment, i)) glow.strength = 1.6f;
         if (i < level.sensor_tints.size()) glow = tinted(glow, level.sensor_tints[i]);
         physics::Region const& region = level.scene.sensors[i].region;

@@ -42,7 +42,8 @@ Area area_of(Patch const& patch, Camera const& camera) {
     double const depth = patch.cover == Cover::earth ? std::clamp(height, earth_fade, 3 * earth_fade) : height + 0.1;
     area.paint.top = look.top;
     area.paint.bottom = look.bottom;
-    area.paint.top_y = pixel_of(camera, patch.box.high).y();
+    area.paint.down = pixels_along(camera, -Vec2::UnitY()) / camera.scale;
+    area.paint.top_y = geometry::dot(pixel_of(camera, patch.box.high), area.paint.down);
     area.paint.bottom_y = area.paint.top_y + depth * camera.scale;
     area.paint.grain = look.grain;
     area.paint.grain_origin = pixel_of(camera, Vec2::Zero());
@@ -62,7 +63,7 @@ void add_flower(std::vector<Shape>& shapes, Vec2 const& at, double size, int kin
 
 void add_tuft(std::vector<Shape>& shapes, Tuft const& tuft, Camera const& camera) {
     Vec2 const root = pixel_of(camera, tuft.root);
-    Vec2 const up = Vec2(tuft.up.x(), -tuft.up.y()) * tuft.height * camera.scale;
+    Vec2 const up = pixels_along(camera, tuft.up * tuft.height);
     Vec2 const aside = geometry::turned_left(up);
     double const width = 0.022 * camera.scale;
     bool const flower = tuft.kind < 2;

@@ -103,9 +103,9 @@ std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 cons
         Vec2 const at = middle + Vec2(mark, 0) * unit;
         shapes.emplace_back(Stroke{at - Vec2(0, 11) * unit, at + Vec2(0, 11) * unit, 2 * unit, palette::ink});
     }
-    // Gravity turned counter-clockwise pulls to the right: it goes where a ball would roll.
-    Vec2 const marble = middle + Vec2(share * 92 * unit, 0);
-    shapes.emplace_back(Disc{marble, 10 * unit, colour(0xf4ffd8, 0.95f), colour(0x5d8a1e), 1.5 * unit, 0});
+    // Gravity turned counter-clockwise pulls to the right, and the bubble rises to the left.
+    Vec2 const bubble = middle - Vec2(share * 92 * unit, 0);
+    shapes.emplace_back(Disc{bubble, 10 * unit, colour(0xf4ffd8, 0.95f), colour(0x5d8a1e), 1.5 * unit, 0});
     return shapes;
 }
 

@@ -1,4 +1,4 @@
-// What is written over the scene: clock, bananas, messages, help, the marble that shows the tilt.
+// What is written over the scene: clock, bananas, messages, help, the level that shows the tilt.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ double hud_scale(Vec2 const& size);
 
 std::vector<Shape> heading_shapes(level::Level const& level, Moment const& moment, Vec2 const& size);
 
-// A ball in a groove, shown while gravity is turned.
+// A spirit level, shown while gravity is turned: its bubble is where the stage is high.
 std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 const& size);
 
 struct KeyHelp {

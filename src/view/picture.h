@@ -47,13 +47,14 @@ struct ArcStroke {
     Colour colour;
 };
 
-// How an area is filled: a gradient between two heights on the screen, and a grain that is fixed to the world.
+// How an area is filled: a gradient along `down`, and a grain that is fixed to the world and upright along it.
 struct Paint {
     Colour top, bottom;
-    double top_y = 0, bottom_y = 1;    // pixels
+    double top_y = 0, bottom_y = 1;    // pixels from the picture's corner, along `down`
     double grain = 0;                  // 0 smooth to 1 strong
     Vec2 grain_origin = Vec2::Zero();  // pixel at which the world's origin lies
     double grain_scale = 1;            // pixels per metre
+    Vec2 down = Vec2::UnitY();         // unit, on the screen: the world's way down
 };
 
 // Rings are closed polylines, filled by the even-odd rule.

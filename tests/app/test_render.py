@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Picture sequences without a display: names, sizes, counts, bytes (docs/command-line.md)."""
 
+import json
 import signal
 import struct
 import subprocess
@@ -46,6 +47,32 @@ class Render(ProgramTest):
         everything, late = self.frames("all"), self.frames("late")
         self.assertEqual(len(everything), 10)
         self.assertEqual(late, {f"{i}.png": everything[f"{i}.png"] for i in range(5, 10)})
+
+    def tilted_run(self):
+        run = {"smb2d": 1, "level": str(ASSETS / "levels/01-sunny-hills.svg"), "duration": 2,
+               "inputs": [{"t": 0.5, "tilt": 0.3}, {"t": 1, "tilt": -0.2}]}
+        path = self.folder / "tilted.json"
+        path.write_text(json.dumps(run))
+        return path
+
+    def test_a_frame_of_a_tilted_stage_depends_on_its_time_alone(self):
+        run = self.tilted_run()
+        self.done("render", run, "-o", "all/%d.png", *SIZE, "--fps", "10", "--jobs", "1")
+        self.done("render", run, "-o", "late/%d.png", *SIZE, "--from", "0.6", "--to", "1.3", "--fps", "10",
+                  "--start-number", "6", "--jobs", "3")
+        everything, late = self.frames("all"), self.frames("late")
+        self.assertEqual(late, {f"{i}.png": everything[f"{i}.png"] for i in range(6, 13)})
+
+    def test_the_picture_turns_with_the_tilt_unless_told_not_to(self):
+        run = self.tilted_run()
+        for name, words in (("turned", []), ("upright", ["--no-turn"])):
+            raw = self.done("render", run, "-o", "-", "-s", "640x360", "--from", "0.95", "--to", "1", "--fps", "10",
+                            *words)
+            # There is sky beside the upright wall at the level's left end. Turned by 0.3 rad clockwise about a ball
+            # at its foot, the wall leans over this pixel: brown in place of blue.
+            at = 3 * (640 * 60 + 30)
+            red, green, blue = raw[at:at + 3]
+            self.assertEqual(red > blue, name == "turned", name)
 
     def test_the_curve_of_energies_depends_on_the_time_alone(self):
         words = [DEMO, "-s", "640x360", "--to", "5", "--fps", "4"]

@@ -158,6 +158,33 @@ TEST_CASE("grain stays with the world: moved by whole pixels, the same picture")
     CHECK(varied > 500);
 }
 
+TEST_CASE("a gradient runs along the way down that an area is given, and its grain lies along it") {
+    view::Area area;
+    area.paint = {red, blue, 0, 64, 0, {0, 0}, 1, {1, 0}};
+    area.rings = {{{0, 0}, {64, 0}, {64, 48}, {0, 48}}};
+    auto const smooth = painted_on_black(area);
+    for (int x : {0, 20, 63}) {
+        int const share = static_cast<int>(std::lround((x + 0.5) / 64 * 255));
+        CHECK(is_near(at(smooth, x, 30), {255 - share, 0, share}));
+    }
+    // Down to the right is a quarter turn anticlockwise about the origin: what was at (47 - y, x) is at (x, y).
+    auto const grained = [](Vec2 const& origin, Vec2 const& down) {
+        view::Area square;
+        square.paint = {red, red, 0, 48, 1, origin, 37, down};
+        square.rings = {{{0, 0}, {48, 0}, {48, 48}, {0, 48}}};
+        return painted_on_black(square);
+    };
+    auto const upright = grained({0, 0}, {0, 1}), turned = grained({0, 48}, {1, 0});
+    int different = 0, varied = 0;
+    for (int x = 0; x < 48; ++x)
+        for (int y = 0; y < 48; ++y) {
+            if (std::abs(at(upright, 47 - y, x).red - at(turned, x, y).red) > rounding) ++different;
+            if (std::abs(at(upright, x, y).red - at(turned, x, y).red) > rounding) ++varied;
+        }
+    CHECK(different < 24);  // where a texel ends in the middle of a pixel
+    CHECK(varied > 500);
+}
+
 TEST_CASE("the ball's turning is plain to see at every size") {
     for (double const radius : {4.0, 8.0, 14.0, 30.0}) {
         CHECK(changed_share(radius, 0, 3.1415926) > 0.5);
