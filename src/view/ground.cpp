@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "view/bodies.h"
+#include "view/surface_look.h"
+#include "view/surface_signs.h"
 
 namespace view {
 
@@ -69,22 +71,47 @@ Vec2 into_at_edge(Body const& body, std::size_t i) {
     return geometry::dot(left, body.into[i % count]) >= 0 ? left : Vec2(-left);
 }
 
-// The runs of edges that face up, as ranges that may pass the end of a closed outline.
-std::vector<std::pair<std::size_t, std::size_t>> sunny_runs(Body const& body) {
+// The runs of edges that are of one kind, as ranges that may pass the end of a closed outline.
+using IsOfKind = std::function<bool(std::size_t edge)>;
+std::vector<std::pair<std::size_t, std::size_t>> runs_of(Body const& body, IsOfKind const& is_of_kind) {
     bool const closed = body.closing == Closing::closed;
     std::size_t const count = closed ? body.edge.size() : body.edge.size() - 1;
-    auto const sunny = [&](std::size_t i) { return -into_at_edge(body, i % count).y() > 0.2; };
+    auto const has = [&](std::size_t i) { return is_of_kind(i % count); };
     std::size_t first = 0;
     if (closed)
-        while (first < count && sunny(first)) ++first;
+        while (first < count && has(first)) ++first;
     std::vector<std::pair<std::size_t, std::size_t>> runs;
     for (std::size_t i = first; i < first + count;) {
         std::size_t end = i;
-        while (end < first + count && sunny(end)) ++end;
+        while (end < first + count && has(end)) ++end;
         if (end > i) runs.push_back({i, end});
         i = end + 1;
     }
     return runs;
+}
+
+// By edge: the look of the terrain that lies there. Empty where all of the level is grass.
+std::vector<SurfaceLook> looks_along(Body const& body, physics::Terrain const& terrain) {
+    std::vector<SurfaceLook> looks;
+    bool const plain = std::all_of(terrain.pieces.begin(), terrain.pieces.end(), [](physics::Piece const& piece) {
+        return look_of(piece.material) == SurfaceLook{};
+    });
+    if (plain) return looks;
+    constexpr double reach = 0.01;  // m: chords lie so near to what they are chords of
+    std::size_t const edges = body.edge.size() - (body.closing == Closing::closed ? 0 : 1);
+    for (std::size_t i = 0; i < edges; ++i) {
+        Vec2 const middle = (body.edge[i] + body.edge[(i + 1) % body.edge.size()]) / 2;
+        double nearest = reach;
+        looks.emplace_back();
+        terrain.tree.each_overlapping(geometry::grown({middle, middle}, reach), [&](int index) {
+            physics::Piece const& piece = terrain.pieces[static_cast<std::size_t>(index)];
+            double const distance = geometry::nearest_point(piece.curve, middle).distance;
+            if (distance >= nearest) return;
+            nearest = distance;
+            looks.back() = look_of(piece.material);
+        });
+    }
+    return looks;
 }
 
 // A run of the edge, with the ends of its grass upright to it even where the outline turns a corner there.
@@ -127,6 +154,18 @@ void add_turf(Ground& ground, Body const& body, std::pair<std::size_t, std::size
     }
 }
 
+// What is not grass: a band along the run and signs on it, on whatever side of the ground it is.
+void add_surface(Ground& ground, Body const& body, std::pair<std::size_t, std::size_t> run, SurfaceLook const& look) {
+    Sward const sward = sward_of(body, run);
+    double const depth = std::min(turf_depth, 0.45 * body.girth);
+    auto const even = [depth](std::size_t) { return depth; };
+    if (look.base == Base::ice) add_band(ground, Cover::ice, sward.edge, sward.into, even);
+    if (look.base == Base::mud) add_band(ground, Cover::mud, sward.edge, sward.into, even);
+    if (look.base == Base::tread) add_band(ground, Cover::tread, sward.edge, sward.into, even);
+    if (look.base == Base::grass && look.bouncy) add_band(ground, Cover::rubber, sward.edge, sward.into, even);
+    add_signs(ground.marks, {sward.edge, sward.into, depth}, look);
+}
+
 }  // namespace
 
 Ground ground_of(level::Level const& level) {
@@ -138,8 +177,23 @@ Ground ground_of(level::Level const& level) {
         add_edge_band(ground, Cover::shade, body, std::min(shade_depth, 0.5 * body.girth));
         add_edge_band(ground, Cover::rim, body, std::min(rim_depth, 0.25 * body.girth));
     }
-    for (Body const& body : bodies)
-        for (std::pair<std::size_t, std::size_t> const& run : sunny_runs(body)) add_turf(ground, body, run);
+    for (Body const& body : bodies) {
+        std::vector<SurfaceLook> const looks = looks_along(body, level.scene.terrain);
+        auto const look_at = [&](std::size_t edge) { return looks.empty() ? SurfaceLook{} : looks[edge]; };
+        auto const is_sunny = [&](std::size_t edge) {
+            return look_at(edge) == SurfaceLook{} && -into_at_edge(body, edge).y() > 0.2;
+        };
+        for (std::pair<std::size_t, std::size_t> const& run : runs_of(body, is_sunny)) add_turf(ground, body, run);
+        if (looks.empty()) continue;
+        for (Base const base : {Base::grass, Base::ice, Base::mud, Base::tread})
+            for (bool const bouncy : {false, true}) {
+                SurfaceLook const look{base, bouncy};
+                if (look == SurfaceLook{}) continue;
+                auto const is_so = [&](std::size_t edge) { return look_at(edge) == look; };
+                for (std::pair<std::size_t, std::size_t> const& run : runs_of(body, is_so))
+                    add_surface(ground, body, run, look);
+            }
+    }
     return ground;
 }
 

@@ -1,4 +1,5 @@
-// The ground as people see it: earth with a lit, grassy edge wherever the terrain faces up. In metres, for any camera.
+// The ground as people see it: earth with a lit, grassy edge wherever the terrain faces up, and an edge that shows what
+// it does where it is slippery, sticky, soft or bouncy. In metres, for any camera.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace view {
 
-enum class Cover { earth, shade, rim, turf, lit };
+enum class Cover { earth, shade, rim, turf, lit, ice, mud, tread, rubber };
 
 struct Patch {                             // filled by the even-odd rule
     std::vector<std::vector<Vec2>> rings;  // m
@@ -24,8 +25,18 @@ struct Tuft {                  // blades of grass, now and then a flower
     int kind = 0;
 };
 
+// Strokes and drops that tell surfaces apart without colour: glints along ice, drops of mud, studs of a tread, the
+// coil of a spring.
+enum class Sign { glint, sheen, drop, stud, coil };
+struct Mark {
+    Vec2 from = Vec2::Zero(), to = Vec2::Zero();  // m
+    double width = 0.02;                          // m
+    Sign sign = Sign::glint;
+};
+
 struct Ground {
     std::vector<Patch> patches;  // in the order of painting
+    std::vector<Mark> marks;     // over them
     std::vector<Tuft> tufts;
 };
 

@@ -15,7 +15,7 @@ struct Look {
     double grain = 0;
 };
 
-Look look_of(Cover cover) {
+Look paint_of(Cover cover) {
     switch (cover) {
         case Cover::earth:
             return {palette::earth_top, palette::earth_bottom, 0.8};
@@ -25,6 +25,14 @@ Look look_of(Cover cover) {
             return {palette::earth_rim, palette::earth_rim, 0.4};
         case Cover::turf:
             return {palette::turf, palette::turf_low, 0.7};
+        case Cover::ice:
+            return {palette::ice, palette::ice_low, 0.1};
+        case Cover::mud:
+            return {palette::mud, palette::mud_low, 0.5};
+        case Cover::tread:
+            return {palette::tread, palette::tread, 0.25};
+        case Cover::rubber:
+            return {palette::rubber, palette::rubber, 0.1};
         case Cover::lit:
             break;
     }
@@ -37,7 +45,7 @@ Area area_of(Patch const& patch, Camera const& camera) {
         std::vector<Vec2>& pixels = area.rings.emplace_back();
         for (Vec2 const& point : ring) pixels.push_back(pixel_of(camera, point));
     }
-    Look const look = look_of(patch.cover);
+    Look const look = paint_of(patch.cover);
     double const height = patch.box.high.y() - patch.box.low.y();
     double const depth = patch.cover == Cover::earth ? std::clamp(height, earth_fade, 3 * earth_fade) : height + 0.1;
     area.paint.top = look.top;
@@ -78,6 +86,22 @@ void add_tuft(std::vector<Shape>& shapes, Tuft const& tuft, Camera const& camera
     shapes.emplace_back(Stroke{root, root + up + lean * aside, width, palette::blade_lit});
 }
 
+Colour colour_of(Sign sign) {
+    switch (sign) {
+        case Sign::glint:
+            return faded(palette::bright, 0.9f);
+        case Sign::sheen:
+            return palette::bright;
+        case Sign::drop:
+            return palette::mud;
+        case Sign::stud:
+            return palette::stud;
+        case Sign::coil:
+            break;
+    }
+    return palette::coil;
+}
+
 }  // namespace
 
 std::vector<Shape> ground_shapes(Ground const& ground, Camera const& camera) {
@@ -87,6 +111,10 @@ std::vector<Shape> ground_shapes(Ground const& ground, Camera const& camera) {
         if (geometry::overlap(sight, {tuft.root, tuft.root})) add_tuft(shapes, tuft, camera);
     for (Patch const& patch : ground.patches)
         if (geometry::overlap(sight, patch.box)) shapes.emplace_back(area_of(patch, camera));
+    for (Mark const& mark : ground.marks)
+        if (geometry::overlap(sight, {mark.from, mark.from}))
+            shapes.emplace_back(Stroke{pixel_of(camera, mark.from), pixel_of(camera, mark.to),
+                                       mark.width * camera.scale, colour_of(mark.sign)});
     return shapes;
 }
 

@@ -1,0 +1,85 @@
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "stages.h"
+#include "view/surface_look.h"
+
+using view::Vec2;
+using namespace view_test;
+
+namespace {
+
+level::Level level_of(physics::Material const& material) {
+    level::Level level = floor_level(16, 9);
+    std::vector<physics::Piece> pieces = level.scene.terrain.pieces;
+    for (physics::Piece& piece : pieces) piece.material = material;
+    level.scene.terrain = physics::terrain_of(pieces);
+    return level;
+}
+
+std::set<view::Sign> signs_of(physics::Material const& material) {
+    std::set<view::Sign> signs;
+    for (view::Mark const& mark : view::ground_of(level_of(material)).marks) signs.insert(mark.sign);
+    return signs;
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("ice, mud, full grip and rubber have signs of their own, and usual ground has grass and none") {
+    using view::Sign;
+    CHECK(signs_of({0.9, 0, 0}).empty());
+    CHECK(signs_of({0.02, 0, 0}) == std::set{Sign::glint, Sign::sheen});
+    CHECK(signs_of({0.9, 0, 0.1}) == std::set{Sign::drop});
+    CHECK(signs_of({infinity, 0, 0}) == std::set{Sign::stud});
+    CHECK(signs_of({0.9, 0.9, 0}) == std::set{Sign::coil});
+    CHECK(signs_of({0.02, 0.9, 0}) == std::set{Sign::glint, Sign::sheen, Sign::coil});
+    CHECK(!view::ground_of(level_of({0.9, 0, 0})).tufts.empty());
+    CHECK(view::ground_of(level_of({0.02, 0, 0})).tufts.empty());
+}
+
+TEST_CASE("signs lie along the edge, in the ground") {
+    for (physics::Material const& material :
+         {physics::Material{0.02, 0, 0}, {0.9, 0, 0.1}, {infinity, 0, 0}, {0.9, 0.9, 0}}) {
+        view::Ground const ground = view::ground_of(level_of(material));
+        double least = 16, most = 0;
+        for (view::Mark const& mark : ground.marks)
+            for (Vec2 const& point : {mark.from, mark.to}) {
+                CHECK(point.y() <= 1);
+                CHECK(point.y() > 0.7);
+                least = std::min(least, point.x());
+                most = std::max(most, point.x());
+            }
+        CHECK(least < 1);
+        CHECK(most > 15);
+    }
+}
+
+TEST_CASE("only the stretch that is icy is shown so") {
+    level::Level level;
+    level.size = Vec2(16, 9);
+    level.surface_names = {"floor", "ice"};
+    physics::Ball ball;
+    ball.start.position = Vec2(2, 1.5);
+    level.scene.balls = {ball};
+    level::Outline const left = straight({0, 1}, {6, 1}), right = straight({6, 1}, {16, 1});
+    level.outlines = {left, right};
+    level.scene.terrain =
+        physics::terrain_of({{left.curves[0], {}, 0}, {right.curves[0], physics::Material{0.05, 0, 0}, 1}});
+    view::Ground const ground = view::ground_of(level);
+    REQUIRE(!ground.marks.empty());
+    for (view::Mark const& mark : ground.marks) CHECK(mark.from.x() >= 6 - 0.2);
+    for (view::Tuft const& tuft : ground.tufts) CHECK(tuft.root.x() <= 6);
+}
+
+TEST_CASE("a look that the drawing gives is left alone") {
+    level::Level level = level_of({0.02, 0.9, 0.1});
+    level.outlines[0].painted = true;
+    view::Ground const ground = view::ground_of(level);
+    CHECK(ground.marks.empty());
+    CHECK(ground.patches.empty());
+}
