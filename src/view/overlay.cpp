@@ -91,14 +91,17 @@ std::vector<Shape> overlay_shapes(level::Level const& level, Moment const& momen
                                   Overlays const& overlays) {
     std::vector<Shape> shapes;
     double const unit = hud_scale(camera.size);
-    // At the left edge, or at the right where the ball is on the left.
-    Vec2 const ball = pixel_of(camera, moment.balls[static_cast<std::size_t>(level.player)].position);
-    bool const at_right = ball.x() < (table_width + 100) * unit;
-    double const left = at_right ? camera.size.x() - (table_width + 16) * unit : 16 * unit;
-    Slate slate{&shapes, &camera, left, 64 * unit};
-    if (overlays.forces) draw_forces(slate, level, moment);
-    if (overlays.figures) draw_figures(slate, level, moment);
-    if (overlays.energy) draw_energy(slate, level, moment);
+    // In columns from the upper right corner: they stay where they are, whatever the ball does.
+    Slate slate{&shapes, &camera, camera.size.x() - (table_width + 16) * unit, 64 * unit};
+    auto const draw = [&](bool wanted, void (*part)(Slate&, level::Level const&, Moment const&)) {
+        if (!wanted) return;
+        part(slate, level, moment);
+        slate.table_left -= (table_width + 8) * unit;
+        slate.next_table = 64 * unit;
+    };
+    draw(overlays.energy, draw_energy);
+    draw(overlays.figures, draw_figures);
+    draw(overlays.forces, draw_forces);
     return shapes;
 }
 

@@ -21,6 +21,9 @@ Vec2 drawn_in(Vec2 const& way, double limit) {
     return length > 0 ? Vec2(way * (limit * std::tanh(length / limit) / length)) : way;
 }
 
+// On which side of a way another lies: 1 to its left, else -1.
+double side_of(Vec2 const& way, Vec2 const& other) { return geometry::cross(way, other) > 0 ? 1 : -1; }
+
 std::string pair_text(Vec2 const& v) {
     std::string text(1, '(');
     return text.append(written(v.x(), 2)).append(", ").append(written(v.y(), 2)).append(")");
@@ -128,8 +131,11 @@ void draw_arrow(Slate& slate, Arrow const& arrow) {
     slate.shapes->emplace_back(Stroke{from, neck, 3.5 * unit, arrow.paint});
     add_head(0, arrow.paint);
     if (arrow.name.empty()) return;
-    Vec2 const at = to + 14 * unit * along + Vec2(0, 6 * unit);
     double const wide = (text_width(arrow.name) * 17 + 10) * unit;
+    // Beside the tip, clear of the shaft: figures and forces along one line do not write over each other.
+    Vec2 const aside = -arrow.side * across;
+    double const clear = std::abs(aside.x()) * (wide / 2 + 10 * unit) + std::abs(aside.y()) * 20 * unit;
+    Vec2 const at = to + clear * aside + Vec2(0, 5 * unit);
     slate.shapes->emplace_back(
         Panel{at - Vec2(wide / 2, 15 * unit), {wide, 20 * unit}, 6 * unit, colour(0xffffff, 0.8f)});
     slate.shapes->emplace_back(Label{at, 17 * unit, arrow.name, arrow.paint, Anchor::Centre});
@@ -163,7 +169,8 @@ void draw_figures(Slate& slate, level::Level const& level, Moment const& moment)
     if (figures) {
         Vec2 const contact = figures->contact;
         draw_arrow(slate, {contact, 1.6 * radius * figures->normal, normal_paint, "n"});
-        draw_arrow(slate, {contact, drawn_in(metres * figures->kept, limit), kept_paint, "t"});
+        draw_arrow(slate, {contact, drawn_in(metres * figures->kept, limit), kept_paint, "t",
+                           side_of(figures->kept, figures->normal)});
         rows.push_back({"n", pair_text(figures->normal), normal_paint});
         rows.push_back({"t = v - (v.n) n", pair_text(figures->kept) + " m/s", kept_paint});
         rows.push_back({"L = v ^ n", written(figures->length, 3) + " m/s", kept_paint});
@@ -194,8 +201,9 @@ void draw_forces(Slate& slate, level::Level const& level, Moment const& moment) 
     std::optional<Figures> const figures = figures_of(level, moment, level.player);
     double const metres = 0.11 / std::max(mass * level.scene.gravity / 9.81, 1e-3);  // of an arrow for each newton
     double const limit = 0.3 * slate.camera->size.y() / slate.camera->scale;
-    auto const arrow = [&](Vec2 const& from, Vec2 const& force, Colour const& paint, char const* name) {
-        draw_arrow(slate, {from, drawn_in(metres * force, limit), paint, name});
+    auto const arrow = [&](Vec2 const& from, Vec2 const& force, Colour const& paint, char const* name,
+                           double side = -1) {
+        draw_arrow(slate, {from, drawn_in(metres * force, limit), paint, name, side});
     };
     auto const newtons = [](Vec2 const& force) { return written(geometry::length(force), 2) + " N"; };
     std::vector<Row> rows = {{"gravity", newtons(gravity), gravity_paint}};
@@ -205,7 +213,7 @@ void draw_forces(Slate& slate, level::Level const& level, Moment const& moment) 
         Vec2 const normal = geometry::dot(ground, figures->normal) * figures->normal;
         Vec2 const friction = ground - normal;
         arrow(figures->contact, normal, normal_paint, "normal");
-        arrow(figures->contact, friction, kept_paint, "friction");
+        arrow(figures->contact, friction, kept_paint, "friction", -side_of(friction, figures->normal));
         rows.push_back({"normal", newtons(normal), normal_paint});
         rows.push_back({"friction", newtons(friction), kept_paint});
     }

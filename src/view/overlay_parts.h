@@ -9,7 +9,7 @@
 
 namespace view {
 
-// Collects shapes; tables are placed one below the other.
+// Collects shapes; tables of one part are placed one below the other.
 inline constexpr double table_width = 268;  // pixels of a picture of 1280x720
 struct Slate {
     std::vector<Shape>* shapes = nullptr;
@@ -23,6 +23,7 @@ struct Arrow {
     Vec2 way = Vec2::Zero();   // m, as long as it is drawn
     Colour paint;
     std::string name;
+    double side = 1;  // of its tip on which the name stands: 1 to the left of the way as it is seen, -1 to the right
 };
 void draw_arrow(Slate& slate, Arrow const& arrow);
 

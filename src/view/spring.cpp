@@ -46,23 +46,30 @@ std::vector<Shape> spring_shapes(level::Level const& level, Moment const& moment
     double const length = geometry::length(to - from);
     double const unit = 0.05 * size_unit(level) * camera.scale;
     double const stretch = std::clamp(length / (level.drag_reach * camera.scale), 0.0, 1.0);
+    // 0 with the hook within the ball to 1 where it is well outside.
+    double const radius = level.scene.balls[static_cast<std::size_t>(pull.ball)].radius * camera.scale;
+    double const clear = std::clamp((length - 0.7 * radius) / radius, 0.0, 1.0);
     Colour const wire = mixed(palette::steel, palette::strain, static_cast<float>(stretch));
     Colour const back = mixed(palette::steel_back, palette::strain, static_cast<float>(0.5 * stretch));
     if (length > 2 * unit) {
         // The wire keeps its length: a coil that is drawn out becomes slimmer.
-        double const amplitude = 3.6 * unit * std::sqrt(std::max(0.12, 1 - stretch * stretch));
+        // Within the ball it is slim and faint, so that neither coils nor hook hide the monkey.
+        double const slim = std::min(1.0, 0.25 * length / unit / 3.6) * (0.4 + 0.6 * clear);
+        double const amplitude = 3.6 * unit * slim * std::sqrt(std::max(0.12, 1 - stretch * stretch));
+        float const seen = static_cast<float>(0.35 + 0.65 * clear);
         double const lead = std::min(3 * unit, 0.2 * length);
         std::vector<Vec2> const points = coil(from, to, lead, amplitude, unit);
         std::size_t const last = points.size() - 1;
         for (std::size_t i = 0; i < last; ++i)
-            shapes.emplace_back(Stroke{points[i], points[i + 1], 1.35 * unit, faded(palette::ink, 0.85f)});
+            shapes.emplace_back(Stroke{points[i], points[i + 1], 1.35 * unit, faded(palette::ink, 0.85f * seen)});
         for (std::size_t i = 0; i < last; i += 2)
-            shapes.emplace_back(Stroke{points[i], points[i + 1], 0.7 * unit, back});
+            shapes.emplace_back(Stroke{points[i], points[i + 1], 0.7 * unit, faded(back, seen)});
         for (std::size_t i = 1; i < last; i += 2)
-            shapes.emplace_back(Stroke{points[i], points[i + 1], 0.8 * unit, wire});
+            shapes.emplace_back(Stroke{points[i], points[i + 1], 0.8 * unit, faded(wire, seen)});
     }
-    shapes.emplace_back(Disc{from, 1.3 * unit, palette::steel, palette::ink, 0.35 * unit, 0});
-    add_hand(shapes, to, 2 * unit, wire);
+    double const knob = (0.5 + 0.5 * clear) * unit;
+    shapes.emplace_back(Disc{from, 1.3 * knob, palette::steel, palette::ink, 0.35 * knob, 0});
+    add_hand(shapes, to, (1.1 + 0.9 * clear) * unit, wire);
     return shapes;
 }
 
