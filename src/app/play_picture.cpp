@@ -136,6 +136,7 @@ view::Picture picture_of(PlayGame const& game) {
     view::Dressing dressing;
     dressing.overlays = game.overlays;
     dressing.ending = {ending_hint(moment), game.best_before};
+    dressing.pointer = game.held ? game.held : game.pointer;
     bool const is_title = game.screen == Screen::title;
     if (is_title) dressing.lettering = view::Lettering::none;
     view::Picture picture = view::picture_of(*game.stage, moment, camera, dressing);

@@ -17,8 +17,6 @@
 namespace screen {
 namespace {
 
-// Smaller text is easier to read in the regular face; titles look better in bold.
-constexpr double bold_from = 30;      // pixels
 constexpr double highest_text = 400;  // pixels: a letter must fit the atlas
 
 std::vector<unsigned char> font_file(std::string const& name) {
@@ -77,10 +75,12 @@ Glyphs::~Glyphs() = default;
 Glyphs::Glyphs(Glyphs&&) noexcept = default;
 Glyphs& Glyphs::operator=(Glyphs&&) noexcept = default;
 
-Glyphs::Font const& Glyphs::font_for(double height) const { return height < bold_from ? *regular_ : *bold_; }
+Glyphs::Font const& Glyphs::font_for(view::Weight weight) const {
+    return weight == view::Weight::bold ? *bold_ : *regular_;
+}
 
-double Glyphs::width_of(std::string const& text, double height) const {
-    Font const& font = font_for(height);
+double Glyphs::width_of(std::string const& text, double height, view::Weight weight) const {
+    Font const& font = font_for(weight);
     auto const letters = letters_of(text);
     double width = 0;
     for (std::size_t i = 0; i < letters.size(); ++i)
@@ -88,8 +88,8 @@ double Glyphs::width_of(std::string const& text, double height) const {
     return width * font.scale(quarters_of(height));
 }
 
-std::optional<Line> Glyphs::line(std::string const& text, double height, double start) {
-    Font const& font = font_for(height);
+std::optional<Line> Glyphs::line(std::string const& text, double height, view::Weight weight, double start) {
+    Font const& font = font_for(weight);
     int const quarters = quarters_of(height);
     double const scale = font.scale(quarters);
     auto const letters = letters_of(text);

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <vector>
 
+#include "view/picture.h"
+
 namespace screen {
 
 constexpr int atlas_side = 2048;  // texels
@@ -39,9 +41,9 @@ public:
     Glyphs(Glyphs&&) noexcept;
     Glyphs& operator=(Glyphs&&) noexcept;
 
-    double width_of(std::string const& text, double height) const;  // pixels
+    double width_of(std::string const& text, double height, view::Weight weight) const;  // pixels
     // Places the letters, the pen starting `start` (0 to 1) into a pixel. None when the atlas is full.
-    std::optional<Line> line(std::string const& text, double height, double start);
+    std::optional<Line> line(std::string const& text, double height, view::Weight weight, double start);
     // Forgets all letters.
     void clear();
 
@@ -53,7 +55,7 @@ private:
     struct Font;
     using Key = std::tuple<Font const*, int, int, int>;  // font, letter, height in quarters, pen in quarters
     std::optional<Glyph> glyph(Font const& font, int letter, int height_quarters, int pen_quarters);
-    Font const& font_for(double height) const;
+    Font const& font_for(view::Weight weight) const;
 
     std::unique_ptr<Font> regular_, bold_;
     std::vector<std::uint8_t> atlas_;

@@ -57,7 +57,7 @@ Quad area_quad(view::Paint const& paint) {
     double const bottom = paint.bottom_y == paint.top_y ? paint.top_y + 1 : paint.bottom_y;
     double const across = geometry::dot(paint.grain_origin, geometry::turned_right(paint.down));
     double const below = geometry::dot(paint.grain_origin, paint.down);
-    quad.axes = {static_cast<float>(paint.down.x()), static_cast<float>(paint.down.y()), 0, 0};
+    quad.more = {static_cast<float>(paint.down.x()), static_cast<float>(paint.down.y()), 0, 0};
     quad.place = {static_cast<float>(wrapped(across, tile)), static_cast<float>(wrapped(below, tile)),
                   static_cast<float>(1 / tile), static_cast<float>(std::max(0.0, std::log2(texels)))};
     quad.form = {static_cast<float>(paint.top_y), static_cast<float>(bottom), static_cast<float>(paint.grain), 0};
@@ -201,10 +201,10 @@ int Painter::Body::kept(EdgeTile const& tile) {
 // A text that does not fit an empty atlas is drawn smaller.
 Line Painter::Body::line_of(view::Label label, double start) {
     for (;; label.height /= 2) {
-        if (auto line = glyphs->line(label.text, label.height, start)) return *line;
+        if (auto line = glyphs->line(label.text, label.height, label.weight, start)) return *line;
         flush();
         glyphs->clear();
-        if (auto line = glyphs->line(label.text, label.height, start)) return *line;
+        if (auto line = glyphs->line(label.text, label.height, label.weight, start)) return *line;
         if (label.height < 8) return {};
     }
 }
@@ -213,7 +213,7 @@ void Painter::Body::add(view::Label const& label) {
     if (!glyphs) glyphs = std::make_unique<Glyphs>();
     double left = label.at.x();
     if (label.anchor != view::Anchor::Left) {
-        double const width_of_text = glyphs->width_of(label.text, label.height);
+        double const width_of_text = glyphs->width_of(label.text, label.height, label.weight);
         left -= label.anchor == view::Anchor::Centre ? width_of_text / 2 : width_of_text;
     }
     // Letters stand on whole pixels up and down, which is sharpest, and on quarters sideways.

@@ -11,9 +11,9 @@ layout(location = 2) in vec4 place_in;
 layout(location = 3) in vec4 form_in;
 layout(location = 4) in vec4 colour_in;
 layout(location = 5) in vec4 second_colour_in;
-layout(location = 6) in vec4 axes_in;
+layout(location = 6) in vec4 more_in;
 uniform vec2 frame_size;
-flat out vec4 place, form, colour, second_colour, axes;
+flat out vec4 place, form, colour, second_colour, more;
 void main() {
     vec4 pair = gl_VertexID < 2 ? first_corners : last_corners;
     vec2 corner = (gl_VertexID & 1) == 0 ? pair.xy : pair.zw;
@@ -22,13 +22,13 @@ void main() {
     form = form_in;
     colour = colour_in;
     second_colour = second_colour_in;
-    axes = axes_in;
+    more = more_in;
 }
 )";
 
 // What all fragment shaders begin with. Colours are blended with their alpha multiplied in.
 inline constexpr char const* fragment_head = R"(#version 330 core
-flat in vec4 place, form, colour, second_colour, axes;
+flat in vec4 place, form, colour, second_colour, more;
 out vec4 pixel;
 vec4 multiplied(vec4 c) { return vec4(c.rgb * c.a, c.a); }
 )";
@@ -67,17 +67,17 @@ void main() {
 }
 )";
 
-// All areas and the sky. axes: the way down; place: the world's origin along right and down, in pixels, tiles of grain
+// All areas and the sky. more: the way down; place: the world's origin along right and down, in pixels, tiles of grain
 // a pixel, level of detail; form: upper and lower end of the gradient along down, strength of the grain, number of the
 // edge tile in its atlas.
 inline constexpr char const* area = R"(
 uniform sampler2D coverage, grain;
 vec4 smooth_paint() {
-    return mix(colour, second_colour, clamp((dot(gl_FragCoord.xy, axes.xy) - form.x) / (form.y - form.x), 0.0, 1.0));
+    return mix(colour, second_colour, clamp((dot(gl_FragCoord.xy, more.xy) - form.x) / (form.y - form.x), 0.0, 1.0));
 }
 vec4 grained_paint() {
     vec4 paint = smooth_paint();
-    vec2 texel = (vec2(dot(gl_FragCoord.xy, vec2(axes.y, -axes.x)), dot(gl_FragCoord.xy, axes.xy)) - place.xy) * place.z;
+    vec2 texel = (vec2(dot(gl_FragCoord.xy, vec2(more.y, -more.x)), dot(gl_FragCoord.xy, more.xy)) - place.xy) * place.z;
     paint.rgb *= 1.0 + form.z * (textureLod(grain, texel, place.w).r - 0.502);
     return vec4(min(paint.rgb, 1.0), paint.a);
 }
@@ -101,35 +101,82 @@ void main() {
 }
 )";
 
-// The ball. place: centre, radius, size of a pixel in radii; form: cosine and sine of its angle, direction of the
-// light. Its own x runs to the monkey's left ear, its own y up, its rim is at 1.
+// The ball. place: centre, radius in pixels, how far the monkey's eyes are closed; form: cosine and sine of its angle,
+// direction of the light; more: cosine and sine of the monkey's lean, its stride in cycles, how far it runs; the
+// colours' alpha: where it looks, 0.5 being straight ahead. Points are in radii, y up.
 inline constexpr char const* shell = R"(
-float sharp(float distance) { return clamp(0.5 - distance / place.w, 0.0, 1.0); }
+float pixels;  // of the unit in which distances are given
+float sharp(float distance) { return clamp(0.5 - distance * pixels, 0.0, 1.0); }
 float disc(vec2 p, vec2 centre, float radius) { return sharp(length(p - centre) - radius); }
 float oval(vec2 p, vec2 centre, vec2 radii) {
     vec2 q = (p - centre) / radii;
     return sharp((length(q) - 1.0) * min(radii.x, radii.y));
 }
+float limb(vec2 p, vec2 from, vec2 to, float radius) {
+    vec2 d = p - from, way = to - from;
+    return sharp(length(d - way * clamp(dot(d, way) / dot(way, way), 0.0, 1.0)) - radius);
+}
 vec4 over(vec4 under, vec3 top, float amount) { return mix(under, vec4(top, 1.0), amount); }
 
-vec4 monkey(vec4 base, vec2 p) {
-    const vec3 fur = vec3(0.43, 0.25, 0.13), skin = vec3(0.99, 0.83, 0.63), dark = vec3(0.13, 0.07, 0.05);
+const vec3 fur = vec3(0.43, 0.25, 0.13), skin = vec3(0.99, 0.83, 0.63), dark = vec3(0.13, 0.07, 0.05);
+
+vec4 head(vec4 base, vec2 p, vec2 gaze) {
     vec2 q = vec2(abs(p.x), p.y);
     vec4 c = over(base, fur, max(disc(q, vec2(0.58, 0.06), 0.185), disc(p, vec2(0.0, 0.02), 0.56)));
     c = over(c, fur, oval(p, vec2(0.0, 0.55), vec2(0.10, 0.16)));
     c = over(c, vec3(0.93, 0.62, 0.50), disc(q, vec2(0.595, 0.055), 0.105));
+    p -= 0.06 * gaze;  // the face turns a little the way it looks
+    q = vec2(abs(p.x), p.y);
     float face = max(oval(q, vec2(0.19, 0.11), vec2(0.245, 0.28)), oval(p, vec2(0.0, -0.22), vec2(0.42, 0.28)));
     c = over(c, skin, face);
     c = over(c, vec3(0.99, 0.60, 0.48), 0.55 * oval(q, vec2(0.31, -0.17), vec2(0.10, 0.07)));
-    c = over(c, vec3(1.0), oval(q, vec2(0.175, 0.14), vec2(0.125, 0.165)));
-    c = over(c, dark, oval(q, vec2(0.155, 0.12), vec2(0.082, 0.12)));
-    c = over(c, vec3(1.0), disc(vec2(p.x + (p.x < 0.0 ? 0.32 : 0.0), p.y), vec2(0.185, 0.175), 0.036));
+    float open = 1.0 - 0.92 * place.w;
+    c = over(c, vec3(1.0), oval(q, vec2(0.175, 0.14), vec2(0.125, 0.165 * open)));
+    vec2 eye = p - 0.055 * gaze, pupil = vec2(p.x < 0.0 ? -eye.x : eye.x, eye.y);
+    c = over(c, dark, oval(pupil, vec2(0.165, 0.125), vec2(0.082, 0.12 * open)));
+    vec2 glint = vec2(eye.x + (p.x < 0.0 ? 0.33 : 0.0), eye.y);
+    c = over(c, vec3(1.0), disc(glint, vec2(0.195, 0.18), 0.036) * (1.0 - place.w));
+    c = over(c, fur, place.w * oval(q, vec2(0.175, 0.13), vec2(0.14, 0.03)));
     c = over(c, fur, oval(q, vec2(0.045, -0.125), vec2(0.026, 0.020)));
     float smile = min(oval(p, vec2(0.0, -0.26), vec2(0.225, 0.17)), 1.0 - oval(p, vec2(0.0, -0.17), vec2(0.29, 0.13)));
     return over(c, vec3(0.55, 0.13, 0.11), smile);
 }
 
+// A foot on its way round: on the ground it stays behind, in the air it comes forward.
+vec2 foot(float cycle, float side) {
+    float turn = 6.2831853 * cycle;
+    vec2 running = vec2(0.25 * cos(turn), -0.62 + 0.17 * max(0.0, sin(turn)));
+    return mix(vec2(0.17 * side, -0.62), running, more.w);
+}
+vec2 hand(float cycle, float side) {
+    float turn = 6.2831853 * cycle;
+    return mix(vec2(0.36 * side, -0.40), vec2(0.34 * cos(turn), -0.27 + 0.10 * sin(turn)), more.w);
+}
+
+vec4 monkey(vec4 base, vec2 p, vec2 gaze) {
+    vec4 c = base;
+    float near = more.z, far = near + 0.5;
+    vec2 near_foot = foot(near, -1.0), far_foot = foot(far, 1.0);
+    vec2 near_hand = hand(far, -1.0), far_hand = hand(near, 1.0);
+    c = over(c, 0.8 * fur, limb(p, vec2(0.17, -0.22), far_hand, 0.055));
+    c = over(c, 0.85 * skin, disc(p, far_hand, 0.075));
+    c = over(c, 0.8 * fur, limb(p, vec2(0.10, -0.40), far_foot, 0.07));
+    c = over(c, 0.85 * skin, oval(p, far_foot, vec2(0.125, 0.07)));
+    c = over(c, fur, oval(p, vec2(0.0, -0.31), vec2(0.25, 0.24)));
+    c = over(c, fur, limb(p, vec2(-0.10, -0.42), near_foot, 0.07));
+    c = over(c, skin, oval(p, near_foot, vec2(0.125, 0.07)));
+    c = over(c, skin, oval(p, vec2(0.0, -0.34), vec2(0.155, 0.16)));
+    const vec2 neck = vec2(0.0, 0.22);
+    const float scale = 0.74;
+    pixels *= scale;
+    c = head(c, (p - neck) / scale, gaze);
+    pixels = place.z;
+    c = over(c, fur, limb(p, vec2(-0.17, -0.22), near_hand, 0.055));
+    return over(c, skin, disc(p, near_hand, 0.075));
+}
+
 void main() {
+    pixels = place.z;
     vec2 d = (gl_FragCoord.xy - place.xy) / place.z;
     float from_centre = length(d);
     float inside = sharp(from_centre - 1.0);
@@ -139,18 +186,26 @@ void main() {
 
     // The back of the shell: two halves, meridian stripes, the seam.
     float upper = sharp(-p.y);
-    vec3 tint = mix(second_colour.rgb, colour.rgb, upper);
+    vec3 tint = mix(second_colour.rgb, colour.rgb, upper), other = mix(colour.rgb, second_colour.rgb, upper);
     vec4 c = vec4(tint, 1.0) * mix(0.62, 1.0, edge * edge);
     float around = abs(p.x) / max(sqrt(max(0.0, 1.0 - p.y * p.y)), 0.05);
     float stripe = sharp((abs(around - 0.80) - 0.085) * max(depth, 0.25)) * 0.9;
-    c = over(c, mix(tint, mix(colour.rgb, second_colour.rgb, upper), 0.8), stripe);
+    c = over(c, mix(tint, other, 0.8), stripe);
     c = over(c, tint * 0.45, sharp(abs(p.y) - 0.105) * 0.8);
     c = over(c, vec3(1.0, 0.97, 0.88), sharp(abs(p.y) - 0.065));
+
+    vec2 m = vec2(more.x * d.x - more.y * d.y, -more.y * d.x - more.x * d.y);
+    vec2 looks = 2.0 * vec2(colour.a, second_colour.a) - 1.0;
+    vec2 gaze = vec2(more.x * looks.x - more.y * looks.y, -more.y * looks.x - more.x * looks.y);
+    c = monkey(c, m, gaze);
+
+    // The front of it, seen through: the same halves and stripes, going the same way round.
+    c = over(c, tint, 0.26 + 0.30 * edge * edge);
+    c = over(c, other, 0.35 * stripe);
+    c = over(c, tint * 0.45, 0.22 * sharp(abs(p.y) - 0.105));
+    c = over(c, vec3(1.0, 0.97, 0.88), 0.34 * sharp(abs(p.y) - 0.065));
     float stud = length(vec2(abs(p.x) - 0.88, p.y));
     c = over(c, vec3(0.98, 0.74, 0.22), sharp(stud - 0.062));
-
-    c = monkey(c, p);
-    c.rgb = mix(c.rgb, tint * c.a, 0.10 + 0.45 * edge * edge);
 
     // Glass: shade away from the light, glow where the light leaves, two highlights that stay with the light.
     vec3 normal = vec3(d, depth), light = normalize(vec3(form.zw, 0.75));
@@ -158,7 +213,7 @@ void main() {
     c.rgb *= 0.74 + 0.32 * clamp(lit * 0.75 + 0.35, 0.0, 1.0);
     float leaving = clamp(-dot(d, normalize(form.zw)), 0.0, 1.0) * edge;
     c.rgb += tint * 0.30 * leaving * leaving * c.a;
-    float outline = smoothstep(1.0 - max(0.075, 1.6 * place.w), 1.0, from_centre);
+    float outline = smoothstep(1.0 - max(0.075, 1.6 / place.z), 1.0, from_centre);
     c = mix(c, vec4(tint * 0.32, 1.0), outline * 0.75);
     float mirror = max(dot(normal, normalize(light + vec3(0.0, 0.0, 1.0))), 0.0);
     float m2 = mirror * mirror, m4 = m2 * m2, m8 = m4 * m4, m16 = m8 * m8, m32 = m16 * m16;

@@ -170,7 +170,12 @@ void add_shape(Batch& batch, view::Shell const& shell) {
     Quad quad = coloured(livery.upper);
     quad.second_colour = floats(livery.lower);
     quad.corners = slanted(shell.centre, {1, 0}, reach, reach);
-    quad.place = {narrow(shell.centre.x()), narrow(shell.centre.y()), narrow(shell.radius), narrow(1 / shell.radius)};
+    view::Monkey const& monkey = shell.monkey;
+    quad.place = {narrow(shell.centre.x()), narrow(shell.centre.y()), narrow(shell.radius), narrow(monkey.blink)};
+    quad.more = {narrow(std::cos(monkey.lean)), narrow(std::sin(monkey.lean)), narrow(monkey.stride),
+                 narrow(monkey.swing)};
+    quad.colour[3] = narrow(0.5 + 0.5 * std::clamp(monkey.gaze.x(), -1.0, 1.0));
+    quad.second_colour[3] = narrow(0.5 + 0.5 * std::clamp(monkey.gaze.y(), -1.0, 1.0));
     quad.form = {narrow(std::cos(shell.angle)), narrow(std::sin(shell.angle)), narrow(light.x()), narrow(light.y())};
     batch.add(Program::shell, quad);
 }

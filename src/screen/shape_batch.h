@@ -17,7 +17,7 @@ enum class Blending { over, opaque };
 // What one quad is drawn from; shaders.h says what each program takes place and form for.
 struct Quad {
     std::array<float, 8> corners{};  // pixels, in the order of a triangle strip
-    std::array<float, 4> place{}, form{}, colour{}, second_colour{}, axes{0, 1, 0, 0};
+    std::array<float, 4> place{}, form{}, colour{}, second_colour{}, more{0, 1, 0, 0};
 };
 
 struct Run {

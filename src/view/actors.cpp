@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "view/drawn_colour.h"
+#include "view/effects.h"
 #include "view/palette.h"
 
 namespace view {
@@ -116,8 +117,23 @@ void add_spark(std::vector<Shape>& shapes, Vec2 const& at, double size, double a
         Vec2 const from = at + way * size * (0.9 + 1.5 * share);
         shapes.emplace_back(Stroke{from, from + way * size * 0.35 * left, 0.12 * size, faded(palette::bright, left)});
     }
-    shapes.emplace_back(Label{at - Vec2(0, size * (0.7 + 1.6 * share)), 1.7 * size, "+1", faded(palette::bright, left),
-                              Anchor::Centre});
+    Vec2 const above = at - Vec2(0, size * (0.9 + 1.8 * share));
+    double const rim = 0.13 * size;
+    for (int i = 0; i < 8; ++i) {
+        Vec2 const off = rim * Vec2(std::cos(i * 0.7854), std::sin(i * 0.7854));
+        shapes.emplace_back(
+            Label{above + off, 2 * size, "+1", faded(palette::ink, 0.5f * left * left), Anchor::Centre, Weight::bold});
+    }
+    shapes.emplace_back(Label{above, 2 * size, "+1", faded(palette::gold, left), Anchor::Centre, Weight::bold});
+}
+
+physics::DiscRegion const* banana_in(level::Level const& level, std::size_t sensor) {
+    if (level.meanings[sensor] != level::Meaning::banana) return nullptr;
+    return std::get_if<physics::DiscRegion>(&level.scene.sensors[sensor].region);
+}
+
+double phase_of(Moment const& moment, std::size_t banana) {
+    return 2.4 * moment.time + 1.7 * static_cast<double>(banana);
 }
 
 }  // namespace
@@ -126,16 +142,22 @@ std::vector<Shape> banana_shapes(level::Level const& level, Moment const& moment
     std::vector<Shape> shapes;
     Vec2 const up = pixels_along(camera, Vec2::UnitY()) / camera.scale;
     for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
-        auto const* disc = std::get_if<physics::DiscRegion>(&level.scene.sensors[i].region);
-        if (level.meanings[i] != level::Meaning::banana || !disc) continue;
-        if (!in_sight(camera, disc->centre, 4 * disc->radius)) continue;
-        double const size = disc->radius * camera.scale;
-        double const phase = 2.4 * moment.time + 1.7 * static_cast<double>(i);
+        auto const* disc = banana_in(level, i);
+        if (!disc || has_fired(moment, i) || !in_sight(camera, disc->centre, 4 * disc->radius)) continue;
+        double const size = disc->radius * camera.scale, phase = phase_of(moment, i);
         Vec2 const at = pixel_of(camera, disc->centre) + 0.12 * size * std::sin(phase) * up;
-        if (has_fired(moment, i))
-            add_spark(shapes, at, size, moment.time - moment.noticed_at[i]);
-        else
-            add_banana(shapes, {at, 0.95 * size, -0.45 + 0.16 * std::sin(0.8 * phase) + turn_of(camera)}, 1);
+        add_banana(shapes, {at, 0.95 * size, -0.45 + 0.16 * std::sin(0.8 * phase) + turn_of(camera)}, 1);
+    }
+    return shapes;
+}
+
+std::vector<Shape> pick_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
+    std::vector<Shape> shapes;
+    for (std::size_t i = 0; i < level.scene.sensors.size(); ++i) {
+        auto const* disc = banana_in(level, i);
+        if (!disc || !has_fired(moment, i) || !in_sight(camera, disc->centre, 4 * disc->radius)) continue;
+        add_spark(shapes, pixel_of(camera, disc->centre), disc->radius * camera.scale,
+                  moment.time - moment.noticed_at[i]);
     }
     return shapes;
 }
@@ -160,7 +182,8 @@ std::optional<Livery> own_livery(level::Level const& level, std::size_t ball) {
     return Livery{upper, mixed(upper, colour(0xfff6e0), 0.55f)};
 }
 
-std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, Camera const& camera) {
+std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, Camera const& camera,
+                               std::optional<Vec2> const& pointer) {
     std::vector<Shape> shapes;
     int livery = 0;
     for (std::size_t i = 0; i < moment.balls.size(); ++i) {
@@ -174,6 +197,7 @@ std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, 
         shell.angle = moment.balls[i].angle - turn_of(camera);
         shell.livery = player ? 0 : livery;
         shell.own = own_livery(level, i);
+        shell.monkey = monkey_of(moment, static_cast<int>(i), shell, camera, player ? pointer : std::nullopt);
         shapes.emplace_back(shell);
     }
     return shapes;

@@ -15,7 +15,12 @@ std::vector<Shape> goal_shapes(level::Level const& level, Moment const& moment, 
 std::vector<Shape> banana_shapes(level::Level const& level, Moment const& moment, Camera const& camera);
 std::vector<Shape> shadow_shapes(level::Level const& level, Moment const& moment, Camera const& camera);
 
-std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, Camera const& camera);
+// The player's monkey looks at `pointer`, pixels, where there is one.
+std::vector<Shape> ball_shapes(level::Level const& level, Moment const& moment, Camera const& camera,
+                               std::optional<Vec2> const& pointer = std::nullopt);
+
+// Before the balls: bananas that have just been picked up.
+std::vector<Shape> pick_shapes(level::Level const& level, Moment const& moment, Camera const& camera);
 
 // Before the balls; empty where nothing is dragged.
 std::vector<Shape> spring_shapes(level::Level const& level, Moment const& moment, Camera const& camera);

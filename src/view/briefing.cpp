@@ -80,13 +80,17 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size) {
     double const unit = hud_scale(size);
     Vec2 const middle(size.x() / 2, 0.33 * size.y());
     double const bob = 5 * unit * std::sin(1.6 * time);
-    add_rimmed(shapes, Label{middle + Vec2(0, bob - 42 * unit), 60 * unit, "Super", palette::bright, Anchor::Centre},
-               5 * unit, palette::ink);
+    add_rimmed(
+        shapes,
+        Label{middle + Vec2(0, bob - 42 * unit), 60 * unit, "Super", palette::bright, Anchor::Centre, Weight::bold},
+        5 * unit, palette::ink);
     add_rimmed(shapes,
-               Label{middle + Vec2(0, bob + 44 * unit), 104 * unit, "Monkey Ball", palette::gold, Anchor::Centre},
+               Label{middle + Vec2(0, bob + 44 * unit), 104 * unit, "Monkey Ball", palette::gold, Anchor::Centre,
+                     Weight::bold},
                7 * unit, palette::ink);
     add_rimmed(shapes,
-               Label{middle + Vec2(268 * unit, bob + 104 * unit), 56 * unit, "2D", palette::strain, Anchor::Centre},
+               Label{middle + Vec2(268 * unit, bob + 104 * unit), 56 * unit, "2D", palette::strain, Anchor::Centre,
+                     Weight::bold},
                5 * unit, palette::ink);
     std::string const call = "Press a key or click to start";
     double const letters = 28 * unit, width = text_width(call) * letters + 60 * unit;

@@ -60,7 +60,7 @@ void add_headline(std::vector<Shape>& shapes, Card const& card, std::string cons
     double const swell = 1 + 0.25 * std::sin(3.14159265 * card.open) * (1 - card.open);
     double const height = 58 * card.unit * swell * (0.6 + 0.4 * card.open);
     Vec2 const at(card.middle(), card.corner.y() + 62 * card.unit);
-    shapes.emplace_back(Label{at, height, text, faded(paint, card.presence()), Anchor::Centre});
+    shapes.emplace_back(Label{at, height, text, faded(paint, card.presence()), Anchor::Centre, Weight::bold});
 }
 
 void add_line(std::vector<Shape>& shapes, Card const& card, double down, std::string const& text, double letters = 20) {

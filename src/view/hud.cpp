@@ -118,7 +118,7 @@ std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& siz
     shapes.emplace_back(Panel{Vec2::Zero(), size, 0, colour(0x0c1620, 0.35f)});
     shapes.emplace_back(Panel{corner, panel, 22 * unit, colour(0xfffdf6, 0.96f)});
     Vec2 at = corner + Vec2(panel.x() / 2, 50 * unit);
-    shapes.emplace_back(Label{at, 30 * unit, "How to play", palette::ink, Anchor::Centre});
+    shapes.emplace_back(Label{at, 30 * unit, "How to play", palette::ink, Anchor::Centre, Weight::bold});
     at = corner + Vec2(0, 88 * unit);
     for (KeyHelp const& row : rows) {
         double const wide = std::max(44.0 * unit, text_width(row.keys) * letters + 22 * unit);

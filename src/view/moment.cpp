@@ -15,6 +15,7 @@ Moment moment_at(level::Level const& level, physics::History const& history, dou
         moment.before.push_back(physics::state_at(history, ball, std::max(time - force_interval, history.from)));
         moment.phases.push_back(leg.phase);
         moment.contacts.push_back(leg.contact);
+        moment.wakes.push_back(wake_of(level, history, ball, time));
     }
     if (recall == Recall::nothing) return moment;
     // At whole multiples of the spacing, so that the chart slides and does not shimmer.

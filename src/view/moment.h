@@ -7,6 +7,7 @@
 #include "physics/world/world.h"
 #include "view/camera.h"
 #include "view/trajectory_preview.h"
+#include "view/wake.h"
 
 namespace view {
 
@@ -23,6 +24,7 @@ struct Moment {
     std::vector<physics::State> before;  // the balls force_interval earlier
     std::vector<physics::Phase> phases;
     std::vector<physics::Contact> contacts;
+    std::vector<Wake> wakes;                          // by ball
     std::vector<std::vector<physics::State>> recent;  // the last chart_length, oldest first, by time and ball
 
     // What the game adds.

@@ -165,7 +165,7 @@ Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 
     double const unit = hud_scale(size);
     shapes.emplace_back(Sky{colour(0x24405c), colour(0x101c2a)});
     Vec2 const heading(size.x() / 2, size.y() / 2 - 306 * unit);
-    shapes.emplace_back(Label{heading, 40 * unit, "Levels", palette::bright, Anchor::Centre});
+    shapes.emplace_back(Label{heading, 40 * unit, "Levels", palette::bright, Anchor::Centre, Weight::bold});
     for (std::size_t i = 0; i < tiles.size(); ++i)
         if (auto const frame = frame_of(i, tiles.size(), chosen, size))
             add_tile(shapes, tiles[i], i, i == chosen, *frame, unit);

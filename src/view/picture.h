@@ -68,7 +68,16 @@ struct Livery {
     Colour upper, lower;
 };
 
-// The ball: a striped, see-through shell with a face inside; angle counter-clockwise as in the world.
+// How the monkey in a ball bears itself.
+struct Monkey {
+    double lean = 0;           // rad, counter-clockwise on the screen
+    double stride = 0;         // 0 to 1, of a cycle of its legs
+    double swing = 0;          // 0 it stands, to 1 it runs
+    double blink = 0;          // 0 to 1: its eyes are closed
+    Vec2 gaze = Vec2::Zero();  // on the screen, at most 1 long; 0 = straight ahead
+};
+
+// The ball: a striped, see-through shell that turns about a monkey; angle counter-clockwise on the screen.
 struct Shell {
     Vec2 centre = Vec2::Zero();
     double radius = 0;
@@ -76,9 +85,11 @@ struct Shell {
     int livery = 0;                            // which pair of colours, 0 = the player's
     Vec2 light = {-0.5, -0.8};                 // towards the light, on the screen
     std::optional<Livery> own = std::nullopt;  // in place of that pair
+    Monkey monkey = {};
 };
 
 enum class Anchor { Left, Centre, Right };
+enum class Weight { regular, bold };
 
 struct Label {
     Vec2 at = Vec2::Zero();  // the base line's left end, middle or right end
@@ -86,6 +97,7 @@ struct Label {
     std::string text;        // UTF-8
     Colour colour;
     Anchor anchor = Anchor::Left;
+    Weight weight = Weight::regular;
 };
 
 // A rectangle with rounded corners, for panels and bars.

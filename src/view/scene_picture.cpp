@@ -5,6 +5,7 @@
 
 #include "view/actors.h"
 #include "view/backdrop.h"
+#include "view/effects.h"
 #include "view/ending.h"
 #include "view/hud.h"
 
@@ -34,7 +35,11 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     append(shapes, banana_shapes(stage.level, moment, camera));
     append(shapes, shadow_shapes(stage.level, moment, camera));
     for (TrajectoryPreview const& preview : moment.coming) append(shapes, trajectory_shapes(preview, camera));
-    append(shapes, ball_shapes(stage.level, moment, camera));
+    append(shapes, trail_shapes(stage.level, moment, camera));
+    append(shapes, dust_shapes(moment, camera));
+    append(shapes, ball_shapes(stage.level, moment, camera, dressing.pointer));
+    append(shapes, spark_shapes(moment, camera));
+    append(shapes, pick_shapes(stage.level, moment, camera));
     append(shapes, spring_shapes(stage.level, moment, camera));
     append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays));
     if (dressing.lettering == Lettering::none) return picture;

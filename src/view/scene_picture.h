@@ -22,6 +22,7 @@ struct Dressing {
     Overlays overlays;
     EndingNote ending;
     Lettering lettering = Lettering::game;
+    std::optional<Vec2> pointer;  // pixels, the window's own: the player's monkey looks there
 };
 
 // The same arguments give the same picture, shape by shape.

@@ -156,6 +156,42 @@ class Window(ProgramTest):
     def inputs(self, run):
         return json.loads(run.read_text())["inputs"]
 
+    def test_the_pointer_is_where_it_is_seen_to_be_while_the_picture_is_turned(self):
+        # A ball wedged in a notch of 45 degrees, which neither the tilt nor the weak spring gets out of it: it stays
+        # where the picture turns about it.
+        ball = (8, 2 + 0.4 * math.sqrt(2))
+        level = self.file("notch.svg", """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 9"
+            data-tilt-limit="0.3" data-drag-frequency="0.3"><title>Notch</title>
+            <path class="terrain" d="M -1 5 H 6 L 8 7 L 10 5 H 17"/>
+            <circle class="ball" cx="8" cy="{}" r="0.4"/></svg>""".format(9 - ball[1]))
+        self.open("software", level)
+        edge = (14, 4)
+        before = self.patch(edge)
+        self.pointer("keydown", "Right")
+        until(lambda: self.differs(before, edge), "the picture to turn", self.game)
+        self.move_to(ball)
+        self.pointer("mousedown", 1)
+        self.move_to((ball[0] + 1, ball[1]))  # a metre to the right on the screen
+        self.pointer("mouseup", 1)
+        run = self.save()
+        self.close()
+        inputs = self.inputs(run)
+        tilts = [(0, 0)] + [(i["t"], i["tilt"]) for i in inputs if "tilt" in i]
+
+        def turn(time):
+            """The mean over half a second by the kernel 12 u (1 - u)^2 (docs/game.md)."""
+            mean = 0
+            for (_, before), (since, after) in zip(tilts, tilts[1:]):
+                u = min(max((time - since) / 0.5, 0), 1)
+                mean += (after - before) * u * u * (6 - 8 * u + 3 * u * u)
+            return mean
+
+        last = [i for i in inputs if "move" in i][-1]
+        angle = turn(last["t"])
+        self.assertGreater(angle, 0.1)
+        self.assertAlmostEqual(last["move"]["x"], ball[0] + math.cos(angle), delta=0.02)
+        self.assertAlmostEqual(last["move"]["y"], ball[1] + math.sin(angle), delta=0.02)
+
     def test_losing_the_focus_lets_go_of_the_ball(self):
         self.open("software")
         self.pointer("windowfocus", "--sync", self.window)

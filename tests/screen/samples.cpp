@@ -41,8 +41,12 @@ view::Picture ground() {
 view::Picture balls() {
     view::Picture picture = plain(160, 120, {0.7F, 0.85F, 1, 1});
     picture.shapes.emplace_back(view::Shell{{50, 60}, 46, 0.4, 0});
-    picture.shapes.emplace_back(view::Shell{{122, 32}, 24, 2.5, 1});
-    picture.shapes.emplace_back(view::Shell{{118, 80}, 14, -1, 2});
+    view::Shell runner{{122, 32}, 24, 2.5, 1};
+    runner.monkey = {-0.3, 0.2, 1, 0, {0.8, -0.3}};
+    picture.shapes.emplace_back(runner);
+    view::Shell sleeper{{118, 80}, 14, -1, 2};
+    sleeper.monkey.blink = 1;
+    picture.shapes.emplace_back(sleeper);
     picture.shapes.emplace_back(view::Shell{{145, 85}, 8, 4, 3});
     picture.shapes.emplace_back(view::Shell{{145, 105}, 4, 0, 4});
     return picture;
@@ -51,7 +55,7 @@ view::Picture balls() {
 view::Picture letters() {
     view::Picture picture = plain(160, 120, white);
     picture.shapes.emplace_back(view::Label{{4, 20}, 14, "L = v ∧ n, θ = L / r", black});
-    picture.shapes.emplace_back(view::Label{{80.3, 60}, 40, "Goal!", red, view::Anchor::Centre});
+    picture.shapes.emplace_back(view::Label{{80.3, 60}, 40, "Goal!", red, view::Anchor::Centre, view::Weight::bold});
     picture.shapes.emplace_back(view::Label{{156, 100}, 11.5, "12.5 m/s, Föhn", blue, view::Anchor::Right});
     return picture;
 }
