@@ -1,49 +1,14 @@
 #include "screen/painter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
+#include "screen/batch_renderer.h"
 #include "screen/coverage.h"
-#include "screen/gl_objects.h"
-#include "screen/glyphs.h"
 #include "screen/grain.h"
-#include "screen/shaders.h"
-#include "screen/shape_batch.h"
 
 namespace screen {
 namespace {
-
-constexpr int coverage_unit = 0, grain_unit = 1, atlas_unit = 2;
-
-constexpr int edge_tiles_across = 64;
-constexpr int edge_atlas_side = edge_tiles_across * tile_side;  // texels
-
-std::string fragment_source(Program program) {
-    std::string const head = shaders::fragment_head, area = head + shaders::area;
-    switch (program) {
-        case Program::disc:
-            return head + shaders::disc;
-        case Program::box:
-            return head + shaders::box;
-        case Program::arc:
-            return head + shaders::arc;
-        case Program::smooth_area:
-            return area + shaders::smooth_area;
-        case Program::smooth_edge:
-            return area + shaders::smooth_edge;
-        case Program::grained_area:
-            return area + shaders::grained_area;
-        case Program::grained_edge:
-            return area + shaders::grained_edge;
-        case Program::glyph:
-            return head + shaders::glyph;
-        case Program::shell:
-            break;
-    }
-    return head + shaders::shell;
-}
 
 double wrapped(double value, double period) { return value - period * std::floor(value / period); }
 
@@ -64,40 +29,18 @@ Quad area_quad(view::Paint const& paint) {
     return quad;
 }
 
-std::unique_ptr<Texture> grain_texture(GladGLContext const& gl) {
-    auto grain = std::make_unique<Texture>(gl, GL_R8, grain_side, grain_side, Sampling::tiled);
-    std::vector<std::uint8_t> texels = grain_tile();
-    // The renderer's own way to halve textures costs several times the first picture.
-    for (int level = 0, side = grain_side; side >= 1; ++level, side /= 2) {
-        grain->add_level(level, side, side, texels.data());
-        texels = halved(texels, side);
-    }
-    return grain;
-}
-
 }  // namespace
 
 struct Painter::Body {
     GladGLContext gl;
-    GLuint records = 0, layout = 0;  // a buffer and how the shaders read it
-    std::array<std::unique_ptr<GlProgram>, program_count> programs;
+    BatchRenderer renderer;
     std::unique_ptr<Canvas> frame, backdrop;
     unsigned long long backdrop_key = 0;  // 0 = none is kept
-    std::unique_ptr<Texture> coverage, grain, atlas;
-    std::optional<bool> grain_blended;
     std::unique_ptr<Glyphs> glyphs;
-    std::vector<std::uint8_t> edge_atlas;
-    int edge_tiles = 0;  // in the atlas, of the areas that wait in the batch
+    EdgeAtlas edges;  // of the areas that wait in the batch
     Batch batch;
 
-    explicit Body(FindGlFunction find) : gl(gl_table(find)) {
-        gl.GenBuffers(1, &records);
-        gl.GenVertexArrays(1, &layout);
-    }
-    ~Body() {
-        gl.DeleteBuffers(1, &records);
-        gl.DeleteVertexArrays(1, &layout);
-    }
+    explicit Body(FindGlFunction find) : gl(gl_table(find)), renderer(gl) {}
 
     int width() const { return frame->width(); }
     int height() const { return frame->height(); }
@@ -108,16 +51,13 @@ struct Painter::Body {
     void add(view::Sky const& sky) { add_shape(batch, sky, width(), height()); }
     void add(view::Area const& area);
     void add(view::Label const& label);
-    void choose_grain(double pixels_per_metre);
     int kept(EdgeTile const& tile);
     template <class Shape>
     void add(Shape const& shape) {
         add_shape(batch, shape);
     }
     Line line_of(view::Label label, double start);
-    GlProgram const& program(Program which);
     void flush();
-    void point_at(int first_quad);
 };
 
 void Painter::Body::resize(int width, int height) {
@@ -127,7 +67,7 @@ void Painter::Body::resize(int width, int height) {
     backdrop.reset();
     backdrop_key = 0;
     frame = std::make_unique<Canvas>(gl, width, height);
-    for (auto& made : programs) made.reset();
+    renderer.fit(width, height);
 }
 
 void Painter::Body::paint(view::Picture const& picture) {
@@ -150,9 +90,6 @@ void Painter::Body::paint(view::Picture const& picture) {
 }
 
 void Painter::Body::paint_shapes(std::vector<view::Shape> const& shapes) {
-    gl.Disable(GL_DEPTH_TEST);
-    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    batch.clear();
     for (view::Shape const& shape : shapes) std::visit([this](auto const& it) { add(it); }, shape);
     flush();
 }
@@ -161,7 +98,10 @@ void Painter::Body::add(view::Area const& area) {
     Coverage const covered = even_odd_coverage(area.rings, width(), height());
     view::Paint const& paint = area.paint;
     bool const grained = paint.grain > 0, opaque = paint.top.alpha >= 1 && paint.bottom.alpha >= 1;
-    if (grained) choose_grain(paint.grain_scale);
+    if (grained && !renderer.has_grain_for(paint.grain_scale)) {
+        flush();
+        renderer.choose_grain(paint.grain_scale);
+    }
     Quad quad = area_quad(paint);
     for (Box const& box : covered.inside) {
         quad.corners = upright(box.left, box.top, box.right, box.bottom);
@@ -175,27 +115,9 @@ void Painter::Body::add(view::Area const& area) {
     }
 }
 
-// Magnified texels are blended, for else they would be seen as squares.
-void Painter::Body::choose_grain(double pixels_per_metre) {
-    if (!grain) grain = grain_texture(gl);
-    constexpr double slightly = 1.1;
-    bool const wanted = pixels_per_metre > slightly * grain_side / grain_metres;
-    if (grain_blended == wanted) return;
-    flush();
-    wanted ? grain->blend_texels() : grain->take_nearest_texels();
-    grain_blended = wanted;
-}
-
-// The tile's number in the atlas until the next flush.
 int Painter::Body::kept(EdgeTile const& tile) {
-    if (edge_tiles == edge_tiles_across * edge_tiles_across) flush();
-    edge_atlas.resize(static_cast<std::size_t>(edge_atlas_side) * edge_atlas_side);
-    int const number = edge_tiles++;
-    int const left = number % edge_tiles_across * tile_side, top = number / edge_tiles_across * tile_side;
-    for (int row = 0; row < tile_side; ++row)
-        std::copy_n(tile.values.begin() + row * tile_side, tile_side,
-                    edge_atlas.begin() + (top + row) * edge_atlas_side + left);
-    return number;
+    if (edges.is_full()) flush();
+    return edges.add(tile);
 }
 
 // A text that does not fit an empty atlas is drawn smaller.
@@ -230,63 +152,10 @@ void Painter::Body::add(view::Label const& label) {
     }
 }
 
-GlProgram const& Painter::Body::program(Program which) {
-    auto& made = programs[static_cast<std::size_t>(which)];
-    if (made) {
-        made->use();
-        return *made;
-    }
-    made = std::make_unique<GlProgram>(gl, shaders::vertex, fragment_source(which));
-    made->use();
-    made->set("frame_size", static_cast<float>(width()), static_cast<float>(height()));
-    made->set_unit("coverage", coverage_unit);
-    made->set_unit("grain", grain_unit);
-    made->set_unit("atlas", atlas_unit);
-    return *made;
-}
-
 void Painter::Body::flush() {
-    if (batch.is_empty()) return;
-    if (glyphs && glyphs->is_changed()) {
-        if (!atlas) atlas = std::make_unique<Texture>(gl, GL_R8, atlas_side, atlas_side, Sampling::exact);
-        atlas->upload(0, 0, atlas_side, atlas_side, glyphs->atlas().data());
-        glyphs->mark_seen();
-    }
-    if (edge_tiles > 0) {
-        if (!coverage)
-            coverage = std::make_unique<Texture>(gl, GL_R8, edge_atlas_side, edge_atlas_side, Sampling::exact);
-        int const rows = (edge_tiles + edge_tiles_across - 1) / edge_tiles_across * tile_side;
-        coverage->upload(0, 0, edge_atlas_side, rows, edge_atlas.data());
-        edge_tiles = 0;
-    }
-    if (coverage) coverage->bind(coverage_unit);
-    if (grain) grain->bind(grain_unit);
-    if (atlas) atlas->bind(atlas_unit);
-    gl.BindVertexArray(layout);
-    gl.BindBuffer(GL_ARRAY_BUFFER, records);
-    auto const size = static_cast<GLsizeiptr>(batch.quads.size() * sizeof(Quad));
-    gl.BufferData(GL_ARRAY_BUFFER, size, batch.quads.data(), GL_STREAM_DRAW);
-    for (Run const& run : batch.runs) {
-        program(run.program).use();
-        if (run.blending == Blending::over)
-            gl.Enable(GL_BLEND);
-        else
-            gl.Disable(GL_BLEND);
-        point_at(run.first);
-        gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, run.count);
-    }
+    if (!batch.is_empty()) renderer.draw(batch, edges, glyphs.get());
     batch.clear();
-}
-
-void Painter::Body::point_at(int first_quad) {
-    constexpr GLuint vectors = sizeof(Quad) / sizeof(float[4]);
-    auto const start = static_cast<std::uintptr_t>(first_quad) * sizeof(Quad);
-    for (GLuint i = 0; i < vectors; ++i) {
-        gl.EnableVertexAttribArray(i);
-        gl.VertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Quad),
-                               reinterpret_cast<void const*>(start + i * sizeof(float[4])));
-        gl.VertexAttribDivisor(i, 1);
-    }
+    edges.clear();
 }
 
 Painter::Painter(FindGlFunction find) : body_(std::make_unique<Body>(find)) {}
