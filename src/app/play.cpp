@@ -61,10 +61,10 @@ private:
     Shape shown_ = Shape::arrow;
 };
 
-void show_cursor(Cursors& cursors, PlayGame const& game, screen::Window const& window) {
+void show_cursor(Cursors& cursors, PlayGame const& game, view::Camera const& camera, screen::Window const& window) {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
-    bool const grips = game.held || ball_at(game, Vec2(x, y) * window.pixel_ratio());
+    bool const grips = game.held || ball_at(game, camera, Vec2(x, y) * window.pixel_ratio());
     cursors.show(grips ? Cursors::Shape::hand : Cursors::Shape::arrow);
 }
 
@@ -102,8 +102,9 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) 
         pass(game, elapsed);
         scrub_by_keys(game, elapsed);
         sound.follow(game, elapsed);
-        show_cursor(cursors, game, window);
-        window.present(picture_of(game));
+        view::Camera const camera = camera_of(game);
+        show_cursor(cursors, game, camera, window);
+        window.present(picture_of(game, camera));
     }
 }
 

@@ -275,11 +275,10 @@ void begin(PlayGame& game) {
     game.started_at = game.wall_time;
 }
 
-std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel) {
+std::optional<int> ball_at(PlayGame const& game, view::Camera const& camera, Vec2 const& pixel) {
     level::Level const& level = game.stage->level;
     if (level.drag_reach <= 0 || game.screen == Screen::title) return std::nullopt;
     if (!game.looked_at && is_over(game)) return std::nullopt;
-    view::Camera const camera = camera_of(game);
     Vec2 const point = view::world_of(camera, pixel);
     double const small = near_small * view::hud_scale(game.size) / camera.scale;  // m
     std::optional<int> found;
@@ -302,7 +301,7 @@ Pressed press(PlayGame& game, Vec2 const& pixel) {
         return Pressed::timeline;
     }
     if (game.waiting) game.wall_time = std::max(game.wall_time, flight_time);
-    std::optional<int> const ball = ball_at(game, pixel);
+    std::optional<int> const ball = ball_at(game, camera_of(game), pixel);
     if (!ball) return Pressed::nothing;
     go_on_from_past(game);
     if (game.looked_at) return Pressed::nothing;

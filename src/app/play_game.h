@@ -130,8 +130,8 @@ void move_pointer(PlayGame& game, Vec2 const& pixel);
 void release(PlayGame& game);
 // The window is no longer told what the pointer does, nor that its button comes up.
 void lose_focus(PlayGame& game);
-// The ball that a press there would take hold of.
-std::optional<int> ball_at(PlayGame const& game, Vec2 const& pixel);
+// The ball that a press there would take hold of; `camera` is camera_of the game.
+std::optional<int> ball_at(PlayGame const& game, view::Camera const& camera, Vec2 const& pixel);
 
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches);
 void single_step(PlayGame& game);
@@ -145,6 +145,7 @@ void say(PlayGame& game, std::string const& text);
 // `elapsed` seconds have passed on the wall.
 void pass(PlayGame& game, double elapsed);
 
-view::Picture picture_of(PlayGame const& game);
+// `camera` is camera_of the game, which takes some time to find.
+view::Picture picture_of(PlayGame const& game, view::Camera const& camera);
 
 }  // namespace app

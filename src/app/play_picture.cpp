@@ -64,19 +64,19 @@ view::TrajectoryPreview trajectory_preview(PlayGame const& game, view::Premise p
 }
 
 // While the player aims: where the spring takes the ball, and where it flies when it is let go now.
-std::vector<view::TrajectoryPreview> coming_of(PlayGame const& game) {
+std::vector<view::TrajectoryPreview> coming_of(PlayGame const& game, view::Camera const& camera) {
     if (!game.held || !game.session.world.forces.pull) return {};
     if (game.stage->level.scene.balls.size() > most_foreseen_balls) return {};
-    Vec2 const pointer = view::world_of(camera_of(game), *game.held);
+    Vec2 const pointer = view::world_of(camera, *game.held);
     return {trajectory_preview(game, view::Premise::held, game::what_if_held(game.session, pointer, foreseen)),
             trajectory_preview(game, view::Premise::let_go, game::what_if(game.session, game::Release{}, foreseen))};
 }
 
-view::Moment moment_of(PlayGame const& game) {
+view::Moment moment_of(PlayGame const& game, view::Camera const& camera) {
     view::Moment moment = view::moment_of(game.session, shown_time(game), view::recall_for(game.overlays));
     // What the player has just done shows at once, though a stepping method lets it act from the next step on.
     if (!game.looked_at) moment.forces = game.session.world.forces;
-    moment.coming = coming_of(game);
+    moment.coming = coming_of(game, camera);
     return moment;
 }
 
@@ -130,9 +130,8 @@ std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const&
 
 }  // namespace
 
-view::Picture picture_of(PlayGame const& game) {
-    view::Moment const moment = moment_of(game);
-    view::Camera const camera = camera_of(game);
+view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
+    view::Moment const moment = moment_of(game, camera);
     view::Dressing dressing;
     dressing.overlays = game.overlays;
     dressing.ending = {ending_hint(moment), game.best_before};
@@ -151,7 +150,7 @@ view::Picture picture_of(PlayGame const& game) {
     if (game.ghost) add(ghost_shapes(game, *game.ghost, camera));
     if (game.companion) add(ghost_shapes(game, *game.companion, camera));
     if (game.pointer && !game.held)
-        if (auto const ball = ball_at(game, *game.pointer)) {
+        if (auto const ball = ball_at(game, camera, *game.pointer)) {
             Seen const seen = seen_ball(game, camera, moment, *ball);
             add(view::grip_shapes(seen.centre, seen.radius, view::hud_scale(game.size)));
         }
