@@ -104,15 +104,16 @@ void BatchRenderer::upload(EdgeAtlas const& edges, Glyphs* glyphs) {
         atlas_->upload(0, 0, atlas_side, atlas_side, glyphs->atlas().data());
         glyphs->mark_seen();
     }
-    if (edges.is_empty()) return;
-    if (!coverage_)
-        coverage_ = std::make_unique<Texture>(gl_, GL_R8, edge_atlas_side, edge_atlas_side, Sampling::exact);
-    coverage_->upload(0, 0, edge_atlas_side, edges.rows(), edges.texels());
+    if (coverages_[coverage_] && edges.is_empty()) return;
+    coverage_ = 1 - coverage_;
+    auto& coverage = coverages_[coverage_];
+    if (!coverage) coverage = std::make_unique<Texture>(gl_, GL_R8, edge_atlas_side, edge_atlas_side, Sampling::exact);
+    coverage->upload(0, 0, edge_atlas_side, edges.rows(), edges.texels());
 }
 
 void BatchRenderer::draw(Batch const& batch, EdgeAtlas const& edges, Glyphs* glyphs) {
     upload(edges, glyphs);
-    if (coverage_) coverage_->bind(coverage_unit);
+    coverages_[coverage_]->bind(coverage_unit);
     if (grain_) grain_->bind(grain_unit);
     if (atlas_) atlas_->bind(atlas_unit);
     gl_.Disable(GL_DEPTH_TEST);

@@ -39,7 +39,10 @@ private:
     GladGLContext const& gl_;
     GLuint records_ = 0, layout_ = 0;  // a buffer and how the shaders read it
     std::array<std::unique_ptr<GlProgram>, program_count> programs_;
-    std::unique_ptr<Texture> coverage_, grain_, atlas_;
+    // In turn: one that a draw still waits for is not written to, which would have to wait for that.
+    std::array<std::unique_ptr<Texture>, 2> coverages_;
+    std::size_t coverage_ = 0;
+    std::unique_ptr<Texture> grain_, atlas_;
     std::optional<bool> grain_blended_;
     int width_ = 0, height_ = 0;
 };

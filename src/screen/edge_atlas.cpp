@@ -4,8 +4,13 @@
 
 namespace screen {
 
+EdgeAtlas::EdgeAtlas() : texels_(static_cast<std::size_t>(edge_atlas_side) * edge_atlas_side) {
+    EdgeTile whole;
+    whole.values.fill(255);
+    add(whole);
+}
+
 int EdgeAtlas::add(EdgeTile const& tile) {
-    texels_.resize(static_cast<std::size_t>(edge_atlas_side) * edge_atlas_side);
     int const number = tiles_++;
     int const left = number % edge_tiles_across * tile_side, top = number / edge_tiles_across * tile_side;
     for (int row = 0; row < tile_side; ++row)

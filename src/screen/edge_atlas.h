@@ -13,10 +13,13 @@ inline constexpr int edge_atlas_side = edge_tiles_across * tile_side;  // texels
 
 class EdgeAtlas {
 public:
-    bool is_empty() const { return tiles_ == 0; }
+    static constexpr int full = 0;  // the number of a tile that is all inside, which is always there
+
+    EdgeAtlas();
+    bool is_empty() const { return tiles_ == 1; }  // but for that one
     bool is_full() const { return tiles_ == edge_tiles_across * edge_tiles_across; }
     int add(EdgeTile const& tile);  // its number, until the next clear()
-    void clear() { tiles_ = 0; }
+    void clear() { tiles_ = 1; }
 
     int rows() const;  // of texels that are in use
     std::uint8_t const* texels() const { return texels_.data(); }

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "screen/batch_renderer.h"
 #include "screen/coverage.h"
 #include "screen/grain.h"
+#include "screen/occlusion.h"
 
 namespace screen {
 namespace {
+
+using geometry::Vec2;
 
 double wrapped(double value, double period) { return value - period * std::floor(value / period); }
 
@@ -29,6 +34,45 @@ Quad area_quad(view::Paint const& paint) {
     return quad;
 }
 
+constexpr int small_area = 60'000;  // pixels
+
+int pixels_in(std::vector<Box> const& boxes) {
+    int sum = 0;
+    for (Box const& box : boxes) sum += (box.right - box.left) * (box.bottom - box.top);
+    return sum;
+}
+
+bool is_opaque(view::Paint const& paint) { return paint.top.alpha >= 1 && paint.bottom.alpha >= 1; }
+
+// Pixels that a shape may touch; nothing where that is not worth knowing, or not finite.
+std::optional<Box> bounds_of(view::Shape const& shape) {
+    Vec2 low, high;
+    double reach = 0;
+    if (auto const* disc = std::get_if<view::Disc>(&shape)) {
+        low = high = disc->centre;
+        reach = disc->radius + std::max(disc->softness, 1.0);
+    } else if (auto const* stroke = std::get_if<view::Stroke>(&shape)) {
+        low = stroke->from.cwiseMin(stroke->to);
+        high = stroke->from.cwiseMax(stroke->to);
+        reach = std::max(stroke->width, 1.0) / 2;
+    } else {
+        return std::nullopt;
+    }
+    constexpr double margin = 2, far = 1e6;  // pixels
+    low -= Vec2::Constant(reach + margin);
+    high += Vec2::Constant(reach + margin);
+    if (!(low.minCoeff() > -far && high.maxCoeff() < far)) return std::nullopt;
+    return Box{static_cast<int>(std::floor(low.x())), static_cast<int>(std::floor(low.y())),
+               static_cast<int>(std::ceil(high.x())), static_cast<int>(std::ceil(high.y()))};
+}
+
+// A shape's number in the order of painting, and what of it is seen.
+struct Layer {
+    int number;
+    Coverage const& covered;  // of an area
+    Occlusion const& occlusion;
+};
+
 }  // namespace
 
 struct Painter::Body {
@@ -36,6 +80,7 @@ struct Painter::Body {
     BatchRenderer renderer;
     std::unique_ptr<Canvas> frame, backdrop;
     unsigned long long backdrop_key = 0;  // 0 = none is kept
+    unsigned long long asked_key = 0;     // of the picture before
     std::unique_ptr<Glyphs> glyphs;
     EdgeAtlas edges;  // of the areas that wait in the batch
     Batch batch;
@@ -48,12 +93,12 @@ struct Painter::Body {
     void resize(int width, int height);
     void paint(view::Picture const& picture);
     void paint_shapes(std::vector<view::Shape> const& shapes);
-    void add(view::Sky const& sky) { add_shape(batch, sky, width(), height()); }
-    void add(view::Area const& area);
-    void add(view::Label const& label);
+    void add(view::Sky const& sky, Layer const& layer);
+    void add(view::Area const& area, Layer const& layer);
+    void add(view::Label const& label, Layer const&);
     int kept(EdgeTile const& tile);
     template <class Shape>
-    void add(Shape const& shape) {
+    void add(Shape const& shape, Layer const&) {
         add_shape(batch, shape);
     }
     Line line_of(view::Label label, double start);
@@ -65,23 +110,25 @@ void Painter::Body::resize(int width, int height) {
     if (frame && frame->width() == width && frame->height() == height) return;
     frame.reset();
     backdrop.reset();
-    backdrop_key = 0;
+    backdrop_key = asked_key = 0;
     frame = std::make_unique<Canvas>(gl, width, height);
     renderer.fit(width, height);
 }
 
 void Painter::Body::paint(view::Picture const& picture) {
     resize(picture.width, picture.height);
-    bool const keep = picture.backdrop_key != 0;
-    if (keep && !backdrop) backdrop = std::make_unique<Canvas>(gl, picture.width, picture.height);
-    if (!keep || picture.backdrop_key != backdrop_key) {
-        if (keep) backdrop_key = 0;
-        (keep ? backdrop : frame)->paint_here();
+    // Kept is what is asked for twice in a row: while the camera moves, keeping would only cost a copy.
+    bool const again = picture.backdrop_key != 0 && picture.backdrop_key == asked_key;
+    asked_key = picture.backdrop_key;
+    if (!again || picture.backdrop_key != backdrop_key) {
+        if (again && !backdrop) backdrop = std::make_unique<Canvas>(gl, picture.width, picture.height);
+        if (again) backdrop_key = 0;
+        (again ? backdrop : frame)->paint_here();
         gl.ClearColor(0, 0, 0, 1);
         gl.Clear(GL_COLOR_BUFFER_BIT);
         paint_shapes(picture.backdrop);
     }
-    if (keep) {
+    if (again) {
         backdrop_key = picture.backdrop_key;
         frame->copy_from(*backdrop);
     }
@@ -90,28 +137,56 @@ void Painter::Body::paint(view::Picture const& picture) {
 }
 
 void Painter::Body::paint_shapes(std::vector<view::Shape> const& shapes) {
-    for (view::Shape const& shape : shapes) std::visit([this](auto const& it) { add(it); }, shape);
+    std::vector<Coverage> coverages(shapes.size());
+    Occlusion occlusion(width(), height());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        auto const* area = std::get_if<view::Area>(&shapes[i]);
+        if (!area) continue;
+        coverages[i] = even_odd_coverage(area->rings, width(), height());
+        if (is_opaque(area->paint))
+            for (Box const& box : coverages[i].inside) occlusion.cover(box, static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        Layer const layer{static_cast<int>(i), coverages[i], occlusion};
+        auto const bounds = bounds_of(shapes[i]);
+        if (bounds && occlusion.hides(*bounds, layer.number)) continue;
+        std::visit([&](auto const& it) { add(it, layer); }, shapes[i]);
+    }
     flush();
 }
 
-void Painter::Body::add(view::Area const& area) {
-    Coverage const covered = even_odd_coverage(area.rings, width(), height());
+void Painter::Body::add(view::Sky const& sky, Layer const& layer) {
+    Box const whole{0, 0, (width() + tile_side - 1) / tile_side * tile_side,
+                    (height() + tile_side - 1) / tile_side * tile_side};
+    for (Box const& box : layer.occlusion.seen(whole, layer.number)) add_shape(batch, sky, box, height());
+}
+
+void Painter::Body::add(view::Area const& area, Layer const& layer) {
     view::Paint const& paint = area.paint;
-    bool const grained = paint.grain > 0, opaque = paint.top.alpha >= 1 && paint.bottom.alpha >= 1;
+    bool const grained = paint.grain > 0;
     if (grained && !renderer.has_grain_for(paint.grain_scale)) {
         flush();
         renderer.choose_grain(paint.grain_scale);
     }
     Quad quad = area_quad(paint);
-    for (Box const& box : covered.inside) {
+    std::vector<Box> seen;
+    for (Box const& inside : layer.covered.inside)
+        for (Box const& box : layer.occlusion.seen(inside, layer.number)) seen.push_back(box);
+    Program const inner = grained ? Program::grained_area : Program::smooth_area;
+    Program const edge = grained ? Program::grained_edge : Program::smooth_edge;
+    // One program for all of what is small: changing it costs more than looking up that a pixel is inside.
+    bool const small = pixels_in(seen) < small_area;
+    quad.form[3] = EdgeAtlas::full;
+    for (Box const& box : seen) {
         quad.corners = upright(box.left, box.top, box.right, box.bottom);
-        batch.add(grained ? Program::grained_area : Program::smooth_area, quad,
-                  opaque ? Blending::opaque : Blending::over);
+        batch.add(small ? edge : inner, quad, is_opaque(paint) && !small ? Blending::opaque : Blending::over);
     }
-    for (EdgeTile const& tile : covered.edges) {
-        quad.corners = upright(tile.left, tile.top, tile.left + tile_side, tile.top + tile_side);
+    for (EdgeTile const& tile : layer.covered.edges) {
+        Box const box{tile.left, tile.top, tile.left + tile_side, tile.top + tile_side};
+        if (layer.occlusion.hides(box, layer.number)) continue;
+        quad.corners = upright(box.left, box.top, box.right, box.bottom);
         quad.form[3] = static_cast<float>(kept(tile));
-        batch.add(grained ? Program::grained_edge : Program::smooth_edge, quad);
+        batch.add(edge, quad);
     }
 }
 
@@ -131,7 +206,7 @@ Line Painter::Body::line_of(view::Label label, double start) {
     }
 }
 
-void Painter::Body::add(view::Label const& label) {
+void Painter::Body::add(view::Label const& label, Layer const&) {
     if (!glyphs) glyphs = std::make_unique<Glyphs>();
     double left = label.at.x();
     if (label.anchor != view::Anchor::Left) {

@@ -94,10 +94,10 @@ std::array<float, 4> floats(Colour const& colour) {
     return {unit(colour.red), unit(colour.green), unit(colour.blue), unit(colour.alpha)};
 }
 
-void add_shape(Batch& batch, view::Sky const& sky, int width, int height) {
+void add_shape(Batch& batch, view::Sky const& sky, Box const& box, int height) {
     Quad quad = coloured(sky.top);
     quad.second_colour = floats(sky.bottom);
-    quad.corners = upright(0, 0, width, height);
+    quad.corners = upright(box.left, box.top, box.right, box.bottom);
     quad.form = {0, narrow(height), 0, 0};
     batch.add(Program::smooth_area, quad,
               sky.top.alpha >= 1 && sky.bottom.alpha >= 1 ? Blending::opaque : Blending::over);

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "screen/coverage.h"
 #include "view/picture.h"
 
 namespace screen {
@@ -39,7 +40,8 @@ struct Batch {
 std::array<float, 8> upright(double left, double top, double right, double bottom);
 std::array<float, 4> floats(view::Colour const& colour);
 
-void add_shape(Batch& batch, view::Sky const& sky, int width, int height);
+// A box of the sky of a picture so high, pixels.
+void add_shape(Batch& batch, view::Sky const& sky, Box const& box, int height);
 void add_shape(Batch& batch, view::Disc const& disc);
 void add_shape(Batch& batch, view::Stroke const& stroke);
 void add_shape(Batch& batch, view::ArcStroke const& arc);

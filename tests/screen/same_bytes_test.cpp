@@ -32,8 +32,8 @@ TEST_CASE("a picture's bytes do not depend on what was painted before") {
 TEST_CASE("a kept backdrop gives the bytes of one drawn anew") {
     screen::Offscreen offscreen;
     auto const anew = offscreen.paint(keyed(ground(), 0));
-    CHECK(offscreen.paint(keyed(ground(), 7)).rgba == anew.rgba);
-    CHECK(offscreen.paint(keyed(ground(), 7)).rgba == anew.rgba);
+    // It is kept from the second time in a row on.
+    for (int i = 0; i < 3; ++i) CHECK(offscreen.paint(keyed(ground(), 7)).rgba == anew.rgba);
     // Another key is another backdrop, and the first key is drawn anew after it.
     CHECK(offscreen.paint(keyed(shapes(), 8)).rgba != anew.rgba);
     CHECK(offscreen.paint(keyed(ground(), 7)).rgba == anew.rgba);
