@@ -13,7 +13,7 @@ using namespace view_test;
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double turn_rounding = 1e-9;
 
 game::Session tilted_session(double when, double angle, Vec2 const& level_size = {16, 9}) {
     auto const level = std::make_shared<level::Level const>(floor_level(level_size.x(), level_size.y()));
@@ -47,7 +47,7 @@ TEST_CASE("a tilt at once is followed along the integral of the kernel, and then
     for (double const u : {0.1, 0.25, 0.5, 0.9}) {
         // Of 12 u (1 - u)^2 from 0 to u.
         double const share = 6 * u * u - 8 * u * u * u + 3 * u * u * u * u;
-        CHECK(view::turn_at(session, 1 + u * view::turn_span) == doctest::Approx(0.3 * share).epsilon(rounding));
+        CHECK(view::turn_at(session, 1 + u * view::turn_span) == doctest::Approx(0.3 * share).epsilon(turn_rounding));
     }
     CHECK(view::turn_at(session, 1 + view::turn_span) == 0.3);
     CHECK(view::turn_at(session, 3) == 0.3);
@@ -85,20 +85,20 @@ TEST_CASE("gravity points down in a picture that has been turned") {
     view::Camera const camera = view::camera_of(session, 2, Vec2(1280, 720));
     Vec2 const gravity = physics::gravity_of(session.level->scene, session.world.forces);
     Vec2 const seen = view::pixels_along(camera, gravity) / camera.scale;
-    CHECK(seen.x() == doctest::Approx(0).epsilon(rounding));
-    CHECK(seen.y() == doctest::Approx(9.81).epsilon(rounding));
+    CHECK(seen.x() == doctest::Approx(0).epsilon(turn_rounding));
+    CHECK(seen.y() == doctest::Approx(9.81).epsilon(turn_rounding));
 }
 
 TEST_CASE("a pixel of a point of the world is that point again, however the picture is turned") {
     for (double const turn : {-2.0, -0.4, 0.1, 0.4}) {
         view::Camera camera{Vec2(3.25, -7.5), 71.3, Vec2(1913, 777)};
         camera.right = Vec2(std::cos(turn), std::sin(turn));
-        CHECK(view::turn_of(camera) == doctest::Approx(turn).epsilon(rounding));
+        CHECK(view::turn_of(camera) == doctest::Approx(turn).epsilon(turn_rounding));
         geometry::Box const sight = view::sight_of(camera);
         for (Vec2 const& pixel : {Vec2(0, 0), Vec2(1913, 0), Vec2(0, 777), Vec2(1913, 777)}) {
             Vec2 const point = view::world_of(camera, pixel);
-            CHECK(geometry::length(view::pixel_of(camera, point) - pixel) < rounding);
-            CHECK(geometry::overlap(geometry::grown(sight, rounding), {point, point}));
+            CHECK(geometry::length(view::pixel_of(camera, point) - pixel) < turn_rounding);
+            CHECK(geometry::overlap(geometry::grown(sight, turn_rounding), {point, point}));
         }
     }
 }
@@ -114,7 +114,7 @@ TEST_CASE("a ball in steady motion stays where it is in the picture while that t
     Vec2 const before = view::pixel_of(upright, ball);
     view::Camera const turned = view::turned_camera(upright, level, history, 4, 0.35);
     CHECK(geometry::length(view::pixel_of(turned, ball) - before) < 1e-6);
-    CHECK(geometry::length(turned.centre - turned.swing - upright.centre) < rounding);
+    CHECK(geometry::length(turned.centre - turned.swing - upright.centre) < turn_rounding);
 }
 
 TEST_CASE("the turned picture moves softly also where the ball bounces, and keeps the ball in sight") {

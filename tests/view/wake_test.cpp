@@ -11,7 +11,7 @@ using namespace view_test;
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double wake_rounding = 1e-9;
 
 physics::Leg leg_of(double since, physics::Phase phase, physics::State const& from) {
     physics::Leg leg;
@@ -72,9 +72,9 @@ TEST_CASE("a ball that leaves the ground comes loose along the integral of the k
     CHECK(view::wake_of(level, history, 0, 0.9).loose == 0);
     for (double const u : {0.2, 0.5, 0.8}) {
         double const share = 6 * u * u - 8 * u * u * u + 3 * u * u * u * u;
-        CHECK(view::wake_of(level, history, 0, 1 + 0.5 * u).loose == doctest::Approx(share).epsilon(rounding));
+        CHECK(view::wake_of(level, history, 0, 1 + 0.5 * u).loose == doctest::Approx(share).epsilon(wake_rounding));
     }
-    CHECK(view::wake_of(level, history, 0, 2).loose == doctest::Approx(1).epsilon(rounding));
+    CHECK(view::wake_of(level, history, 0, 2).loose == doctest::Approx(1).epsilon(wake_rounding));
 }
 
 TEST_CASE("a hard bounce throws sparks for a moment, a soft one none") {
@@ -162,7 +162,7 @@ TEST_CASE("the monkey of a ball that spins through the air goes round with it") 
     history.legs.push_back({leg_of(0, physics::Phase::flight, state)});
     for (double const time : {1.0, 1.3, 2.2}) {
         double const difference = monkey_at(level, history, time).lean - 5 * time;
-        CHECK(std::cos(difference) == doctest::Approx(1).epsilon(rounding));
+        CHECK(std::cos(difference) == doctest::Approx(1).epsilon(wake_rounding));
     }
 }
 
