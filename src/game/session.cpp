@@ -215,7 +215,8 @@ Session without_past(Session const& session) {
 
 void forget_before(Session& session, double time) {
     physics::forget_before(session.history, time);
-    while (session.forces.size() > 1 && session.forces[1].time <= time) session.forces.pop_front();
+    // A change at that very time is one that has just begun.
+    while (session.forces.size() > 1 && session.forces[1].time < time) session.forces.pop_front();
 }
 
 Forces const& forces_at(Session const& session, double time) {

@@ -53,6 +53,15 @@ TEST_CASE("a tilt at once is followed along the integral of the kernel, and then
     CHECK(view::turn_at(session, 3) == 0.3);
 }
 
+TEST_CASE("a tilt from the first moment on is followed as softly, though nothing is known of before") {
+    game::Session session = tilted_session(0, 0.3);
+    game::advance(session, 0.1);
+    game::forget_before(session, 0);
+    CHECK(view::turn_at(session, 0) == 0);
+    CHECK(view::turn_at(session, 0.1) > 0);
+    CHECK(view::turn_at(session, 0.1) < 0.15);
+}
+
 TEST_CASE("the turn is a function of the time, whatever was looked at or forgotten before") {
     game::Session session = tilted_session(3.6, 0.3);
     game::advance(session, 7);
