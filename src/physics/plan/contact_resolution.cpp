@@ -25,6 +25,8 @@ constexpr double parallel = 1e-9;
 constexpr double least_depth = 1e-11;
 // Closing speeds that differ by less than this share are equal.
 constexpr double equal_speeds = 1e-9;
+// Rounding of accelerations, times this, tells a gap that opens.
+constexpr double parting = 1e3;
 // Forces below this share of the field are rounding.
 constexpr double hold_rounding = 1e-12;
 // Of a pull, the share against which a further contact bars the way: those of the ends of one wall differ by less.
@@ -191,6 +193,15 @@ std::optional<double> hop_on(MotionContext const& context, Struck const& struck,
     return normal_speed;
 }
 
+// Whether a moving ball is carried off the support by its way alone, as past a point.
+bool parts(MotionContext const& context, Struck const& struck, std::size_t i, Vec2 const& pull) {
+    double const square = struck.state.velocity.squaredNorm();
+    double const rounding = bend_rounding + place_rounding(struck.state.position, context.ball.radius);
+    return square > struck.rounding * struck.rounding &&
+           second_derivative(struck.points[i], struck.state.velocity, pull) >
+               parting * rounding * (geometry::length(pull) + square / context.ball.radius);
+}
+
 Transition ride_from(MotionContext const& context, SurfaceState const& free_state, double time) {
     Transition transition;
     if (!is_pressed(context, free_state)) {
@@ -281,7 +292,8 @@ bool presses(MotionContext const& context, Struck const& struck, std::size_t i) 
     ContactPoint const& point = struck.points[i];
     if (fits(context.terrain, point.contact, context.ball.radius))
         return is_pressed(context, surface_state_on(context, struck, i));
-    return dot(acceleration_in(context.field, struck.state.position, struck.state.velocity), point.normal) < 0;
+    Vec2 const pull = acceleration_in(context.field, struck.state.position, struck.state.velocity);
+    return dot(pull, point.normal) < -hold_rounding * geometry::length(pull);
 }
 
 // No way out: the ball jams if anything presses on it, else it flies.
@@ -486,7 +498,7 @@ Transition resolved(MotionContext const& context, State const& state, double tim
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < struck.points.size(); ++i)
         if (!is_left_behind(struck.points[i], struck.state.velocity, pull, struck.rounding) &&
-            hop_on(context, struck, i))
+            !parts(context, struck, i, pull) && hop_on(context, struck, i))
             kept.push_back(i);
     Transition transition;
     if (kept.empty())
