@@ -204,12 +204,14 @@ bool parts(MotionContext const& context, Struck const& struck, std::size_t i, Ve
 
 Transition ride_from(MotionContext const& context, SurfaceState const& free_state, double time) {
     Transition transition;
-    if (!is_pressed(context, free_state)) {
-        transition.plan = plan_flight(context, state_of(context, free_state), time);
-        transition.contact_events.push_back({EventKind::lift, free_state.contact});
+    // Full grip slows a ball that slips: what its way pressed on before may press no more.
+    SurfaceState const on_track =
+        is_pressed(context, free_state) ? held_by_full_grip(context, free_state) : free_state;
+    if (!is_pressed(context, on_track)) {
+        transition.plan = plan_flight(context, state_of(context, on_track), time);
+        transition.contact_events.push_back({EventKind::lift, on_track.contact});
         return transition;
     }
-    SurfaceState const on_track = held_by_full_grip(context, free_state);
     ContactMode const mode = contact_mode_for(context, on_track, ModeHint::none);
     transition.track_ends =
         ends_of_track(context.terrain, on_track.contact, on_track.track, on_track.q, context.ball.radius);
