@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "view/bodies.h"
+#include "view/ground.h"
 #include "view/camera.h"
 #include "view/ending.h"
 #include "view/hud.h"
@@ -140,12 +141,16 @@ Thumbnail thumbnail_of(level::Level const& level) {
     thumbnail.sky_top = colour_or(sky.empty() ? "" : sky[0], palette::sky_top);
     thumbnail.sky_bottom = colour_or(sky.empty() ? "" : sky[1], palette::sky_bottom);
     geometry::Box const frame{Vec2::Zero(), level.size};
-    for (Body const& body : bodies_of(level)) {
+    auto const add = [&](std::vector<Ring> const& body) {
         std::vector<Ring> rings;
-        for (Ring const& ring : body.rings)
+        for (Ring const& ring : body)
             if (Ring part = ring_within(ring, frame); part.size() > 2) rings.push_back(std::move(part));
         if (!rings.empty()) thumbnail.ground.push_back(std::move(rings));
-    }
+    };
+    for (Body const& body : bodies_of(level)) add(body.rings);
+    double const fine = level.size.maxCoeff() / 200;
+    for (level::Outline const& outline : level.outlines)
+        if (outline.painted && outline.closed) add({points_along(outline, fine, fine / 4)});
     for (std::size_t i = 0; i < level.meanings.size(); ++i) {
         Vec2 const place = middle_of(level.scene.sensors[i].region);
         if (level.meanings[i] == level::Meaning::banana) thumbnail.bananas.push_back(place);

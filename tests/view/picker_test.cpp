@@ -1,7 +1,10 @@
 #include "view/picker.h"
 
+#include <filesystem>
+
 #include <doctest/doctest.h>
 
+#include "level/level.h"
 #include "view/polygon.h"
 
 using view::Ring;
@@ -35,4 +38,18 @@ TEST_CASE("every tile that is seen is found at its place, and only there") {
             CHECK(found > 0);
             CHECK(seen[chosen]);
         }
+}
+
+TEST_CASE("a thumbnail of every level that ships shows its ground, whoever paints it") {
+    int levels = 0;
+    for (auto const& file : std::filesystem::directory_iterator(ASSETS "/levels")) {
+        level::Level const level = level::read_level(file.path().string());
+        double ground = 0;
+        for (std::vector<Ring> const& body : view::thumbnail_of(level).ground)
+            for (Ring const& ring : body) ground += std::abs(view::signed_area(ring));
+        INFO(file.path().string());
+        CHECK(ground > 0.01 * level.size.x() * level.size.y());
+        ++levels;
+    }
+    CHECK(levels >= 16);
 }
