@@ -21,7 +21,8 @@ constexpr double near_ball = 2;       // radii: a press so near takes hold of it
 constexpr double near_small = 22;     // pixels of a picture of 1280x720: the same for a ball that looks small
 constexpr double flight_time = 1.8;   // s on the wall, from the goal to the ball
 constexpr double card_time = 0.6;     // s on the wall, before a press closes a card
-constexpr double falling_time = 1.5;  // s on the wall: so long after a fall the world stands still
+constexpr double falling_time = 1.5;  // s on the wall: so long after a fall the world stands still,
+constexpr double rolling_on = 4;      // and after the goal
 // A stepping method may be a step ahead of what is shown.
 static_assert(game::PastLimits{}.shortest > view::camera_memory + 1 / game::lowest_rate);
 
@@ -65,10 +66,10 @@ void learn(PlayGame& game, game::Lesson lesson) {
     }
 }
 
-// After the goal the ball rolls on; after a fall, or when the time is over, there is nothing more to come.
+// After the goal the ball rolls on for a while; after a fall, or when the time is over, there is nothing more to come.
 bool has_come_to_an_end(PlayGame const& game) {
-    if (!game.over_since || game.session.goal_time || game.replay_end) return false;
-    return game.wall_time - *game.over_since > falling_time;
+    if (!game.over_since || game.replay_end) return false;
+    return game.wall_time - *game.over_since > (game.session.goal_time ? rolling_on : falling_time);
 }
 
 // Where the pointer that drags a ball is in the world, which depends on where the camera is.
@@ -156,6 +157,7 @@ void adopt(PlayGame& game, PlayGame other) {
     other.preferences = game.preferences;
     other.turning = game.turning;
     other.lean = game.lean;
+    other.lean_is_old = leaning_of(game) != 0;
     other.stick = game.stick;
     other.pointer = game.pointer;
     game = std::move(other);
@@ -389,7 +391,9 @@ void pass(PlayGame& game, double elapsed) {
     game.toast.left = std::max(0.0, game.toast.left - elapsed);
     game.wall_time += elapsed;
     if (game.help || game.menu_row) return;
-    bool const tilts = leaning_of(game) != 0 && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
+    game.lean_is_old = game.lean_is_old && leaning_of(game) != 0;
+    bool const tilts = leaning_of(game) != 0 && !game.lean_is_old && game.stage->level.tilt_limit > 0 &&
+                       game.screen == Screen::game;
     if (tilts && game.looked_at) go_on_from_past(game);
     if (tilts) begin(game);
     if (game.waiting || has_come_to_an_end(game)) return;

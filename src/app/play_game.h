@@ -58,6 +58,7 @@ struct PlayGame {
     std::optional<double> looked_at;  // s, a moment of the past; nothing = the present
     double scrub_held = 0;            // s on the wall, for how long the key that moves through the past is down
     int lean = 0;                     // -1, 0, 1: to which side keys tilt the stage
+    bool lean_is_old = false;         // since the level before: it begins nothing
     double stick = 0;                 // in [-1, 1]: the same of a gamepad
     Toast toast;
     bool help = false;

@@ -185,7 +185,7 @@ KeyCommand listen_on_menu(SDL_Event const& event, PlayGame& game, Tour& tour, sc
 bool is_for_menu(SDL_Event const& event) {
     if (event.type == SDL_KEYDOWN) {
         SDL_Keycode const key = event.key.keysym.sym;
-        return key != SDLK_F11 && key != SDLK_m && key != SDLK_MINUS && key != SDLK_PLUS && key != SDLK_EQUALS;
+        return key != SDLK_F1 && key != SDLK_F11 && key != SDLK_m && key != SDLK_MINUS && key != SDLK_PLUS && key != SDLK_EQUALS;
     }
     return event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL;
 }
