@@ -55,7 +55,8 @@ std::string badge_of(PlayGame const& game) {
 constexpr std::size_t most_foreseen_balls = 8;
 constexpr double foreseen = 1.6;  // s
 
-view::TrajectoryPreview trajectory_preview(PlayGame const& game, view::Premise premise, physics::History const& coming) {
+view::TrajectoryPreview trajectory_preview(PlayGame const& game, view::Premise premise,
+                                           physics::History const& coming) {
     physics::Pull const& pull = *game.session.world.forces.pull;
     view::TrajectoryPreview preview =
         view::trajectory_preview(coming, game.stage->level.scene, pull.ball, shown_time(game), foreseen);
@@ -80,8 +81,10 @@ view::Moment moment_of(PlayGame const& game, view::Camera const& camera) {
     return moment;
 }
 
-constexpr double briefing_fading = 0.5;  // s on the wall
-constexpr double hand_way = 130;         // pixels of a picture of 1280x720
+constexpr double briefing_fading = 0.5;     // s on the wall
+constexpr double hand_way = 130;            // pixels of a picture of 1280x720
+constexpr double low_ball = 0.7;            // of the height of the picture: a ball so low would lie under the hint
+constexpr double lift_over_briefing = 110;  // pixels as above, by which messages stand higher
 
 std::string ending_hint(view::Moment const& moment) {
     return moment.status.goal_time ? "Enter or click: go on    R: again"
@@ -116,6 +119,15 @@ std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const&
     if (level.tilt_limit > 0 && !game.learnt.contains(game::Lesson::tilt))
         return view::tilting_keys_shapes(game.wall_time, game.size);
     return {};
+}
+
+// Where the hint does not lie over the ball that it speaks of.
+view::Side edge_of_briefing(PlayGame const& game) {
+    level::Level const& level = game.stage->level;
+    if (!game.waiting && briefing_presence(game) <= 0) return view::Side::lower;
+    view::Camera const camera = view::camera_of(game.session, 0, game.size, view::Turning::never, game.lens);
+    Vec2 const start = level.scene.balls[static_cast<std::size_t>(level.player)].start.position;
+    return view::pixel_of(camera, start).y() > low_ball * game.size.y() ? view::Side::upper : view::Side::lower;
 }
 
 // Where the player's ball was at this time in another session, as far as that is known.
@@ -154,14 +166,17 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
             Seen const seen = seen_ball(game, camera, moment, *ball);
             add(view::grip_shapes(seen.centre, seen.radius, view::hud_scale(game.size)));
         }
-    add(view::briefing_shapes(game.stage->level, briefing_presence(game), game.size));
+    double const presence = briefing_presence(game);
+    view::Side const edge = edge_of_briefing(game);
+    add(view::briefing_shapes(game.stage->level, presence, game.size, edge));
     add(lesson_shapes(game, camera, moment));
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
     if (shows_timeline(game)) add(view::timeline_shapes(timeline_of(game), game.size));
     bool const in_fault = !game.fault.empty() && game.toast.left <= 0;
-    add(in_fault ? view::toast_shapes(game.fault, 1, game.size)
-                 : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size));
+    double const lift = presence > 0 && edge == view::Side::lower ? lift_over_briefing * view::hud_scale(game.size) : 0;
+    add(in_fault ? view::toast_shapes(game.fault, 1, game.size, lift)
+                 : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size, lift));
     if (game.menu_row) add(menu_shapes(game));
     if (game.help) add(view::help_shapes(key_help(), game.size));
     return picture;

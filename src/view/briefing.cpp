@@ -107,7 +107,7 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size) {
     return shapes;
 }
 
-std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size) {
+std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size, Side edge) {
     std::vector<Shape> shapes;
     if (presence <= 0) return shapes;
     float const alpha = static_cast<float>(std::min(presence, 1.0));
@@ -120,7 +120,8 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
     std::string const verbs = verbs_of(level), asked = asked_for(level);
     double const width = std::min(880 * unit, size.x() - 24 * unit);
     double const height = 62 * unit + line * static_cast<double>(lines.size());
-    Vec2 const corner((size.x() - width) / 2, size.y() - height - 18 * unit);
+    double const below_the_figures = 62 * unit;
+    Vec2 const corner((size.x() - width) / 2, edge == Side::upper ? below_the_figures : size.y() - height - 18 * unit);
     shapes.emplace_back(Panel{corner, {width, height}, 18 * unit, faded(colour(0x14202c, 0.84f), alpha)});
     Vec2 at(size.x() / 2, corner.y() + 32 * unit);
     for (std::string const& text : lines) {
@@ -128,13 +129,13 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
         at.y() += line;
     }
     at.y() += 4 * unit;
-    double const edge = 28 * unit;
+    double const margin = 28 * unit;
     if (!verbs.empty())
         shapes.emplace_back(
-            Label{{corner.x() + edge, at.y()}, letters, verbs, faded(palette::turf_lit, alpha), Anchor::Left});
+            Label{{corner.x() + margin, at.y()}, letters, verbs, faded(palette::turf_lit, alpha), Anchor::Left});
     if (!asked.empty())
         shapes.emplace_back(
-            Label{{corner.x() + width - edge, at.y()}, letters, asked, faded(palette::gold, alpha), Anchor::Right});
+            Label{{corner.x() + width - margin, at.y()}, letters, asked, faded(palette::gold, alpha), Anchor::Right});
     return shapes;
 }
 

@@ -132,7 +132,7 @@ std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& siz
     return shapes;
 }
 
-std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size) {
+std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size, double lift) {
     std::vector<Shape> shapes;
     if (text.empty() || presence <= 0) return shapes;
     double const unit = hud_scale(size);
@@ -141,7 +141,7 @@ std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 c
     double const room = size.x() - 80 * unit;
     if (text_width(text) * letters > room) letters = room / text_width(text);
     double const width = text_width(text) * letters + 44 * unit;
-    Vec2 const corner((size.x() - width) / 2, size.y() - 100 * unit);
+    Vec2 const corner((size.x() - width) / 2, size.y() - 100 * unit - lift);
     add_pill(shapes, corner, {width, 38 * unit}, faded(palette::night, alpha));
     Vec2 const at(size.x() / 2, corner.y() + 25 * unit);
     shapes.emplace_back(Label{at, letters, text, faded(palette::bright, alpha), Anchor::Centre});

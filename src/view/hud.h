@@ -24,8 +24,8 @@ struct KeyHelp {
 };
 std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& size);
 
-// A line at the lower edge; presence fades it, 1 to 0.
-std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size);
+// A line at the lower edge, or `lift` pixels higher; presence fades it, 1 to 0.
+std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size, double lift = 0);
 
 // A word in the upper middle: paused, slow motion.
 std::vector<Shape> badge_shapes(std::string const& text, Vec2 const& size);
