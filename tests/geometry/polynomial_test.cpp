@@ -12,7 +12,7 @@ using namespace geometry;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SMB2D_SANITIZED
 constexpr int cases = 5000;
 #else
 constexpr int cases = 200000;

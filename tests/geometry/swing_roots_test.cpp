@@ -10,7 +10,7 @@ using namespace geometry;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SMB2D_SANITIZED
 constexpr int swing_cases = 100;
 #else
 constexpr int swing_cases = 600;

@@ -18,7 +18,7 @@ using hunt::Vec2;
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SMB2D_SANITIZED
 constexpr std::uint64_t seeds = 6, seeds_of_steps = 2;  // of each kind: sanitized, all takes twenty times as long
 #else
 constexpr std::uint64_t seeds = 40, seeds_of_steps = 10;

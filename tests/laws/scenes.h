@@ -15,7 +15,7 @@ inline constexpr double full_grip = std::numeric_limits<double>::infinity();
 inline constexpr double g = 9.81;  // m/s^2, of every scene unless it says otherwise
 
 // The sanitizers slow tests down by more than ten: where cases are many they run fewer.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SMB2D_SANITIZED
 inline constexpr bool sanitized = true;
 #else
 inline constexpr bool sanitized = false;

@@ -17,7 +17,7 @@ using geometry::Arc;
 using geometry::pi;
 using geometry::Segment;
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef SMB2D_SANITIZED
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
