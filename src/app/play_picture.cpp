@@ -122,7 +122,7 @@ std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const&
 }
 
 // Where the hint does not lie over the ball that it speaks of.
-view::Side edge_of_briefing(PlayGame const& game) {
+view::Side side_of_briefing(PlayGame const& game) {
     level::Level const& level = game.stage->level;
     if (!game.waiting && briefing_presence(game) <= 0) return view::Side::lower;
     view::Camera const camera = view::camera_of(game.session, 0, game.size, view::Turning::never, game.lens);
@@ -167,14 +167,14 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
             add(view::grip_shapes(seen.centre, seen.radius, view::hud_scale(game.size)));
         }
     double const presence = briefing_presence(game);
-    view::Side const edge = edge_of_briefing(game);
-    add(view::briefing_shapes(game.stage->level, presence, game.size, edge));
+    view::Side const side = side_of_briefing(game);
+    add(view::briefing_shapes(game.stage->level, presence, game.size, side));
     add(lesson_shapes(game, camera, moment));
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
     if (shows_timeline(game)) add(view::timeline_shapes(timeline_of(game), game.size));
     bool const in_fault = !game.fault.empty() && game.toast.left <= 0;
-    double const lift = presence > 0 && edge == view::Side::lower ? lift_over_briefing * view::hud_scale(game.size) : 0;
+    double const lift = presence > 0 && side == view::Side::lower ? lift_over_briefing * view::hud_scale(game.size) : 0;
     add(in_fault ? view::toast_shapes(game.fault, 1, game.size, lift)
                  : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size, lift));
     if (game.menu_row) add(menu_shapes(game));

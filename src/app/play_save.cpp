@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "game/best_times.h"
+#include "game/data_files.h"
 
 namespace app {
 

@@ -11,9 +11,6 @@
 
 namespace game {
 
-// $XDG_DATA_HOME/smb2d, else ~/.local/share/smb2d; nothing where neither is known. It need not exist.
-std::optional<std::filesystem::path> data_folder();
-
 // Seconds by the level's hash. What is missing or cannot be read counts as no times yet.
 std::map<std::string, double> best_times();
 

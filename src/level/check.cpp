@@ -102,8 +102,8 @@ private:
         double turn = 0;  // rad
     };
     std::optional<Break> tangent_break_at(Vertex const& vertex) const {
-        constexpr std::size_t most_spokes = 16;  // where more meet nobody means them to be smooth
-        std::size_t const count = std::min(vertex.edges.size(), most_spokes);
+        constexpr std::size_t most_edges = 16;  // where more meet nobody means them to be smooth
+        std::size_t const count = std::min(vertex.edges.size(), most_edges);
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = i + 1; j < count; ++j) {
                 IncidentEdge const &a = vertex.edges[i], &b = vertex.edges[j];

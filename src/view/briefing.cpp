@@ -107,7 +107,7 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size) {
     return shapes;
 }
 
-std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size, Side edge) {
+std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size, Side side) {
     std::vector<Shape> shapes;
     if (presence <= 0) return shapes;
     float const alpha = static_cast<float>(std::min(presence, 1.0));
@@ -121,7 +121,7 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
     double const width = std::min(880 * unit, size.x() - 24 * unit);
     double const height = 62 * unit + line * static_cast<double>(lines.size());
     double const below_the_figures = 62 * unit;
-    Vec2 const corner((size.x() - width) / 2, edge == Side::upper ? below_the_figures : size.y() - height - 18 * unit);
+    Vec2 const corner((size.x() - width) / 2, side == Side::upper ? below_the_figures : size.y() - height - 18 * unit);
     shapes.emplace_back(Panel{corner, {width, height}, 18 * unit, faded(colour(0x14202c, 0.84f), alpha)});
     Vec2 at(size.x() / 2, corner.y() + 32 * unit);
     for (std::string const& text : lines) {

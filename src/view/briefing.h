@@ -16,7 +16,7 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size);
 // The level's hint and what is asked for, at an edge of the picture; presence fades it, 1 to 0.
 enum class Side { lower, upper };
 std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size,
-                                   Side edge = Side::lower);
+                                   Side side = Side::lower);
 
 // A hand that takes hold of the ball at `from` and pulls it along `way`, pixels, again and again.
 std::vector<Shape> pulling_hand_shapes(Vec2 const& from, Vec2 const& way, double time, double unit);

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "game/data_files.h"
 #include "game/best_times.h"
 #include "game/lessons.h"
 #include "scratch.h"

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "game/method_choice.h"
-#include "game/run_file.h"
 #include "stages.h"
 #include "view/camera.h"
 
@@ -150,12 +148,9 @@ TEST_CASE("over all shipped runs the camera keeps the ball in sight and starts a
     Vec2 const size(640, 360);
     for (auto const& entry : std::filesystem::directory_iterator(ASSETS "/runs")) {
         CAPTURE(entry.path().filename().string());
-        game::Run const run = game::read_run(entry.path().string());
-        auto const level = std::make_shared<level::Level const>(level::read_level(run.level_file));
-        game::Session session =
-            game::session_of(level, game::method_for({run.method_name, run.rate}, level->scene), run.inputs);
-        double const end = run.duration.value_or(10);
-        game::advance(session, end);
+        game::Session const session = view_test::played_run(entry.path().string());
+        auto const& level = session.level;
+        double const end = session.world.time;
         auto const centre = [&](double t) -> Vec2 {
             view::Camera const camera = view::camera_at(*level, session.history, t, size);
             return camera.centre * camera.scale;

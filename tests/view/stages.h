@@ -1,6 +1,9 @@
 // Small levels made by hand, for tests of what is drawn.
 #pragma once
 
+#include "game/method_choice.h"
+#include "game/run_file.h"
+#include "level/level.h"
 #include "physics/motion/leg.h"
 #include "view/scene_picture.h"
 
@@ -29,6 +32,16 @@ inline level::Level floor_level(double width, double height) {
     level.scene.balls = {ball};
     add_terrain(level, straight({0, 1}, {width, 1}));
     return level;
+}
+
+// A run that ships, played to its end.
+inline game::Session played_run(std::string const& file) {
+    game::Run const run = game::read_run(file);
+    auto const level = std::make_shared<level::Level const>(level::read_level(run.level_file));
+    game::Session session =
+        game::session_of(level, game::method_for({run.method_name, run.rate}, level->scene), run.inputs);
+    game::advance(session, run.duration.value_or(10));
+    return session;
 }
 
 // The ball moves with constant velocity and spin from t = 0 on.

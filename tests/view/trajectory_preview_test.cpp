@@ -24,7 +24,8 @@ physics::History steady() {
 TEST_CASE("the dots of a foresight stand still while the ball moves over them") {
     level::Level const level = floor_level(16, 9);
     view::TrajectoryPreview const early = view::trajectory_preview(steady(), level.scene, 0, 0.5, 1);
-    view::TrajectoryPreview const late = view::trajectory_preview(steady(), level.scene, 0, 0.5 + 2.25 * view::dot_spacing, 1);
+    view::TrajectoryPreview const late =
+        view::trajectory_preview(steady(), level.scene, 0, 0.5 + 2.25 * view::dot_spacing, 1);
     REQUIRE(late.dots.size() > 10);
     for (std::size_t i = 0; i < 10; ++i)
         CHECK(geometry::length(early.dots[i + 2].place - late.dots[i].place) < foresight_rounding);

@@ -18,31 +18,31 @@ constexpr int towards_low = -1;
 // those that are passed on the left.
 bool ends_at_start(Contact contact, int direction) { return (contact.side > 0) == (direction == towards_low); }
 
-std::size_t spoke_of(Vertex const& vertex, int piece, bool at_start) {
+std::size_t edge_of(Vertex const& vertex, int piece, bool at_start) {
     for (std::size_t i = 0; i < vertex.edges.size(); ++i)
         if (vertex.edges[i].piece == piece && vertex.edges[i].at_start == at_start) return i;
     return 0;
 }
 
-// The spoke that a ball meets next when it goes round the vertex from spoke i, and by how much more than a straight
+// The edge that a ball meets next when it goes round the vertex from edge i, and by how much more than a straight
 // line the surface has turned away there (rad; negative: it has turned towards the ball).
 struct Turn {
     std::size_t edge = 0;
     double away = 0;
 };
-Turn turn_from(Vertex const& vertex, std::size_t i, bool ball_is_left_of_spoke) {
+Turn turn_from(Vertex const& vertex, std::size_t i, bool ball_is_left) {
     std::size_t const count = vertex.edges.size();
-    std::size_t const next = ball_is_left_of_spoke ? (i + 1) % count : (i + count - 1) % count;
+    std::size_t const next = ball_is_left ? (i + 1) % count : (i + count - 1) % count;
     if (next == i) return {i, pi};
     double gap = angle_of(vertex.edges[next].direction) - angle_of(vertex.edges[i].direction);
-    if (!ball_is_left_of_spoke) gap = -gap;
+    if (!ball_is_left) gap = -gap;
     if (gap <= 0) gap += 2 * pi;
     return {next, gap - pi};
 }
 
-// The contact of a ball that lies clockwise or counter-clockwise of a spoke.
-Contact beside(IncidentEdge const& edge, bool ball_is_left_of_spoke) {
-    return {edge.piece, edge.at_start == ball_is_left_of_spoke ? 1 : -1};
+// The contact of a ball that lies clockwise or counter-clockwise of a edge.
+Contact beside(IncidentEdge const& edge, bool ball_is_left) {
+    return {edge.piece, edge.at_start == ball_is_left ? 1 : -1};
 }
 
 // Where the track of `contact` begins or ends at this vertex.
@@ -80,7 +80,7 @@ TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& trac
     bool const at_start = ends_at_start(contact, direction);
     int const index = at_start ? terrain.start_vertex[contact.feature] : terrain.end_vertex[contact.feature];
     Vertex const& vertex = terrain.vertices[index];
-    std::size_t const edge = spoke_of(vertex, contact.feature, at_start);
+    std::size_t const edge = edge_of(vertex, contact.feature, at_start);
     bool const left = (contact.side > 0) == at_start;
     Turn const turn = turn_from(vertex, edge, left);
     double const q = direction == towards_high ? track.length : 0;
@@ -102,7 +102,7 @@ TrackEnd end_of_piece(Terrain const& terrain, Contact contact, Track const& trac
 
 TrackEnd end_of_vertex(Terrain const& terrain, Contact contact, Track const& track, double radius, int direction) {
     Vertex const& vertex = terrain.vertex(contact.feature);
-    // High q is the clockwise end of the exposed cone, a quarter turn before the spoke that lies there.
+    // High q is the clockwise end of the exposed cone, a quarter turn before the edge that lies there.
     double const polar =
         direction == towards_high ? vertex.cone_high - vertex.cone_width - pi / 2 : vertex.cone_high + pi / 2;
     std::size_t best = 0;

@@ -1,6 +1,7 @@
 // A ball that keeps to several points of terrain: held between them, led away by one, or passing through.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "physics/plan/plan_track.h"
@@ -16,6 +17,8 @@ namespace {
 constexpr double barring = 1e-3;
 // Normals nearer than this to opposite do not hold what lies between them.
 constexpr double opposite_normals = 4e-9;
+// Walls whose curvatures, times the ball's radius, differ by less are the two sides of one slot.
+constexpr double same_bend = 1e-6;
 
 // The normal forces with which two supports hold a standing ball whose rim slides with `slip_sign` (0: it does not).
 struct TwoForces {
@@ -47,40 +50,40 @@ std::optional<Transition> wedged(MotionContext const& context, Struck const& str
     double const rim = -context.ball.radius * struck.state.spin;
     bool const spins = std::abs(rim) > struck.rounding;
     double const slip_sign = !spins ? 0 : rim < 0 ? 1 : -1;
-    Vec2 const load = -acceleration_in(context.field, struck.state.position, Vec2::Zero());
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        ContactPoint const& socket = struck.points[kept[i]];
-        if (socket.normals_turn == 0 || dot(load, socket.normal) < (1 - parallel) * geometry::length(load)) continue;
-        State state = struck.state;
-        state.velocity = Vec2::Zero();
-        double const mu = material_of(context.terrain, socket.contact.feature).friction;
-        if (std::isinf(mu) || !spins) state.spin = 0;
-        double const rim_rate = state.spin == 0 ? 0 : slip_sign * mu * geometry::length(load) / context.ball.inertia;
+    auto const friction_at = [&](ContactPoint const& point) {
+        return material_of(context.terrain, point.contact.feature).friction;
+    };
+    State still = struck.state;
+    still.velocity = Vec2::Zero();
+    // At rest where it is held, or spinning against this friction, a force per mass; infinite: grip ends it at once.
+    auto const held = [&](Contact contact, double friction) {
+        State state = still;
+        if (std::isinf(friction) || !spins) state.spin = 0;
+        double const rim_rate = state.spin == 0 ? 0 : slip_sign * friction / context.ball.inertia;
         Transition transition;
-        transition.plan = plan_standing(state, socket.contact, -rim_rate / context.ball.radius, time);
-        if (state.spin == 0) transition.contact_events.push_back({EventKind::rest, socket.contact});
+        transition.plan = plan_standing(state, contact, -rim_rate / context.ball.radius, time);
+        if (state.spin == 0) transition.contact_events.push_back({EventKind::rest, contact});
         return transition;
+    };
+    Vec2 const load = -acceleration_in(context.field, still.position, still.velocity);
+    for (std::size_t const i : kept) {
+        ContactPoint const& socket = struck.points[i];
+        bool const bears =
+            socket.normals_turn != 0 && dot(load, socket.normal) >= (1 - parallel) * geometry::length(load);
+        if (bears) return held(socket.contact, friction_at(socket) * geometry::length(load));
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
         for (std::size_t j = i + 1; j < kept.size(); ++j) {
             ContactPoint const& a = struck.points[kept[i]];
             ContactPoint const& b = struck.points[kept[j]];
             if (std::abs(geometry::cross(a.normal, b.normal)) < parallel) continue;
-            double const mu_a = material_of(context.terrain, a.contact.feature).friction;
-            double const mu_b = material_of(context.terrain, b.contact.feature).friction;
-            State state = struck.state;
-            state.velocity = Vec2::Zero();
+            double const mu_a = friction_at(a), mu_b = friction_at(b);
             bool const grips_fully = std::isinf(mu_a) || std::isinf(mu_b);
-            if (grips_fully || !spins) state.spin = 0;
-            TwoForces const hold = hold_of(context, state, a, b, grips_fully ? 0 : slip_sign);
-            if (!holds(context, state, hold)) continue;
+            TwoForces const hold = hold_of(context, still, a, b, grips_fully ? 0 : slip_sign);
+            if (!holds(context, still, hold)) continue;
+            if (grips_fully) return held(a.contact, std::numeric_limits<double>::infinity());
             // What holds by rounding alone does not rub.
-            double const pushed = mu_a * std::max(0.0, hold.first) + mu_b * std::max(0.0, hold.second);
-            double const rim_rate = grips_fully || !spins ? 0 : slip_sign * pushed / context.ball.inertia;
-            Transition transition;
-            transition.plan = plan_standing(state, a.contact, -rim_rate / context.ball.radius, time);
-            if (state.spin == 0) transition.contact_events.push_back({EventKind::rest, a.contact});
-            return transition;
+            return held(a.contact, mu_a * std::max(0.0, hold.first) + mu_b * std::max(0.0, hold.second));
         }
     }
     return std::nullopt;
@@ -199,9 +202,9 @@ std::optional<Transition> passing(MotionContext const& context, Struck const& st
             });
             if (barred) continue;
             if (auto const on = between_walls(context, struck, i, j, time)) return *on;
-            bool const are_parallel =
-                radius * std::abs(struck.points[i].curvature + struck.points[j].curvature) <= 1e-6;
-            if (auto const on = are_parallel ? way_out(context, struck, kept, time) : std::nullopt) return *on;
+            double const bend = struck.points[i].curvature + struck.points[j].curvature;
+            bool const is_slot = radius * std::abs(bend) <= same_bend;
+            if (auto const on = is_slot ? way_out(context, struck, kept, time) : std::nullopt) return *on;
             Vec2 const sum = struck.points[i].normal + struck.points[j].normal;
             double const way = radius * geometry::length(sum) / 2 + touch_reach / 8;
             Transition transition;

@@ -19,13 +19,13 @@ constexpr double exposed_slack = 1e-12;  // rounding of a unit vector's scalar p
 // rad: over an edge narrower than this a ball dips by less than 1e-15 r, and the reach of touch is wider than the edge
 constexpr double flat_cone = 1e-7;
 
-void sort_spokes(Vertex& vertex) {
+void sort_edges(Vertex& vertex) {
     std::stable_sort(vertex.edges.begin(), vertex.edges.end(), [](IncidentEdge const& a, IncidentEdge const& b) {
         return angle_of(a.direction) < angle_of(b.direction);
     });
 }
 
-// The widest gap between neighbouring spokes, less a quarter turn at each side, is what the vertex exposes.
+// The widest gap between neighbouring edges, less a quarter turn at each side, is what the vertex exposes.
 void set_cone(Vertex& vertex) {
     double widest = 0;
     auto const count = vertex.edges.size();
@@ -116,7 +116,7 @@ Terrain terrain_of(std::vector<Piece> drawn) {
         terrain.vertices[terrain.end_vertex[i]].edges.push_back({i, false, -geometry::tangent_at_end(curve)});
     }
     for (Vertex& vertex : terrain.vertices) {
-        sort_spokes(vertex);
+        sort_edges(vertex);
         set_cone(vertex);
         set_material(terrain, vertex);
     }

@@ -36,7 +36,7 @@ struct Vertex {
     std::vector<IncidentEdge> edges;                             // counter-clockwise by direction
     double cone_high = 0;                                        // rad: exposed directions run clockwise from here,
     double cone_width = 0;                                       // rad: this far; 0 on flat and concave joints
-    Vec2 first_edge = Vec2::UnitX(), last_edge = Vec2::UnitX();  // the spokes at both sides of what is exposed
+    Vec2 first_edge = Vec2::UnitX(), last_edge = Vec2::UnitX();  // the edges at both sides of what is exposed
     Material material{};                                         // the greatest of each number among its pieces'
     int surface = 0;                                             // the first among its pieces'
 };
