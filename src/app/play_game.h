@@ -77,7 +77,7 @@ PlayGame title_of_run(std::string const& run, game::MethodWish const& wish);
 // A run that is to roll along with the game. Throws std::runtime_error, also where it is of another level.
 void accompany(PlayGame& game, std::string const& run);
 
-// Throws std::runtime_error. Nothing of a game before it is kept but what `look_of` hands over.
+// Throws std::runtime_error.
 PlayGame game_of(std::string const& file, game::MethodWish const& wish);
 
 // The same level from its beginning, looked at as before.
@@ -102,8 +102,12 @@ bool is_card_open(PlayGame const& game);
 // The first input, or the player's wish, lets the time begin.
 void begin(PlayGame& game);
 
+inline constexpr double flight_time = 1.8;  // s on the wall, from the goal to the ball
 // From 1 at the goal to 0 at the ball: how far the flight over the level has still to go.
 double flight_of(PlayGame const& game);
+
+// How far the player tilts the stage, in [-1, 1]: by keys, or else by a gamepad.
+inline double leaning_of(PlayGame const& game) { return game.lean != 0 ? game.lean : game.stick; }
 
 // Looking back through the past that is kept; the game stands still meanwhile. A key that is pressed moves by a frame,
 // one that is held goes on; -1 is back, 1 forward. In the present, forward is a single step.
