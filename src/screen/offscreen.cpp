@@ -1,13 +1,13 @@
 #include "screen/offscreen.h"
 
-#include <GL/osmesa.h>
-
 #include <array>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "screen/mesa.h"
 
 namespace screen {
 namespace {
@@ -32,11 +32,11 @@ OSMesaContext new_context() {
                                      OSMESA_DEPTH_BITS,
                                      0,
                                      0};
-    if (OSMesaContext const context = OSMesaCreateContextAttribs(wanted.data(), nullptr)) return context;
+    if (OSMesaContext const context = mesa().create_context(wanted.data(), nullptr)) return context;
     throw std::runtime_error("Mesa's software OpenGL 3.3 (OSMesa) cannot be started");
 }
 
-GlFunction find_function(char const* name) { return OSMesaGetProcAddress(name); }
+GlFunction find_function(char const* name) { return mesa().function_called(name); }
 
 }  // namespace
 
@@ -53,18 +53,18 @@ struct Offscreen::Body {
             make_current();
             painter.emplace(find_function);
         } catch (...) {
-            OSMesaDestroyContext(context);
+            mesa().destroy_context(context);
             throw;
         }
     }
     ~Body() {
-        if (OSMesaMakeCurrent(context, unused.data(), GL_UNSIGNED_BYTE, 4, 4)) painter.reset();
-        OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-        OSMesaDestroyContext(context);
+        if (mesa().make_current(context, unused.data(), GL_UNSIGNED_BYTE, 4, 4)) painter.reset();
+        mesa().make_current(nullptr, nullptr, 0, 0, 0);
+        mesa().destroy_context(context);
     }
 
     void make_current() {
-        if (OSMesaMakeCurrent(context, unused.data(), GL_UNSIGNED_BYTE, 4, 4)) return;
+        if (mesa().make_current(context, unused.data(), GL_UNSIGNED_BYTE, 4, 4)) return;
         throw std::runtime_error("Mesa's software OpenGL (OSMesa) cannot be used on this thread");
     }
 };
@@ -79,7 +79,7 @@ Pixels const& Offscreen::paint(view::Picture const& picture) {
     body_->painter->paint(picture);
     body_->painter->read_into(body_->pixels, body_->order);
     // Another owner of a context may work on this thread, and so may this context on another one.
-    OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    mesa().make_current(nullptr, nullptr, 0, 0, 0);
     return body_->pixels;
 }
 
