@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "geometry/elementary.h"
+#include "geometry/match.h"
 
 namespace geometry {
 
 namespace {
 
 constexpr double angle_rounding = 1e-12;  // rad, an angle this far beyond an end is the end itself
-
-template <typename... Cases>
-struct Match : Cases... {
-    using Cases::operator()...;
-};
-template <typename... Cases>
-Match(Cases...) -> Match<Cases...>;
 
 Vec2 direction(double angle) {
     SineCosine const turn = sine_cosine(angle);

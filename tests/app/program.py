@@ -14,6 +14,7 @@ if len(sys.argv) < 2:
     sys.exit("usage: test_X.py PATH-OF-SMB2D [TEST...]")
 BINARY = os.path.abspath(sys.argv.pop(1))
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
+SANITIZED = "SMB2D_SANITIZED" in os.environ  # then tests run fewer cases where cases are many
 PATIENCE = 120  # s, for anything that is waited for; sanitizers and busy machines are slow
 
 # A level with everything in it and nothing to wait for.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int events_compared = 6;
 constexpr double nearly = 0.35;  // rad, of half a turn
-constexpr double rows_per_second = 240;
+constexpr double looks_per_second = 240;
 constexpr double most_apart = 1e-9;     // m, of ten
 constexpr double nudge = 1e-12;         // m: some thousand times the rounding of a place
 constexpr double most_amplified = 100;  // what starts a nudge apart may be so many nudges apart later, else it is chaos
@@ -69,8 +69,8 @@ Way way_of(Sketch const& sketch) {
     Way way{game::session_of(level, physics::Exact{}, sketch.inputs, "run.json")};
     int counted = 0;
     std::size_t seen = 0;
-    for (int row = 1; row <= sketch.duration * rows_per_second; ++row) {
-        way.until = row / rows_per_second;
+    for (int row = 1; row <= sketch.duration * looks_per_second; ++row) {
+        way.until = row / looks_per_second;
         game::advance(way.session, way.until);
         auto const& events = way.session.history.events;
         for (; seen < events.size(); ++seen)
@@ -91,8 +91,8 @@ struct Apart {
 Apart apart(Way const& a, Way const& b) {
     Apart most;
     double const until = std::min(a.until, b.until);
-    for (int row = 0; row / rows_per_second < until; ++row) {
-        double const time = row / rows_per_second;
+    for (int row = 0; row / looks_per_second < until; ++row) {
+        double const time = row / looks_per_second;
         Vec2 const here = physics::state_at(a.session.history, 0, time).position,
                    there = physics::state_at(b.session.history, 0, time).position;
         double const way = geometry::length(there - here) / std::max(1.0, geometry::length(here) / 10);

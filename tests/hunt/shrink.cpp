@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/match.h"
 #include "hunt/kinds.h"
 
 namespace hunt {
@@ -13,28 +14,21 @@ constexpr int most_rounds = 4;
 constexpr int most_questions = 1500;
 constexpr int most_decimals = 6;
 
-template <typename... Cases>
-struct Match : Cases... {
-    using Cases::operator()...;
-};
-template <typename... Cases>
-Match(Cases...) -> Match<Cases...>;
-
 void add(std::vector<double*>& numbers, Vec2& point) { numbers.insert(numbers.end(), {&point.x(), &point.y()}); }
 
 void add_stroke(std::vector<double*>& numbers, Stroke& stroke) {
     auto const points = [&](auto&... each) { (add(numbers, each), ...); };
-    std::visit(Match{[&](Line& s) { points(s.from, s.to); },
-                     [&](Bow& s) {
-                         points(s.from, s.to);
-                         numbers.push_back(&s.radius);
-                     },
-                     [&](Cubic& s) { points(s.from, s.first, s.second, s.to); },
-                     [&](Quadratic& s) { points(s.from, s.handle, s.to); },
-                     [&](Disc& s) {
-                         points(s.centre);
-                         numbers.push_back(&s.radius);
-                     }},
+    std::visit(geometry::Match{[&](Line& s) { points(s.from, s.to); },
+                               [&](Bow& s) {
+                                   points(s.from, s.to);
+                                   numbers.push_back(&s.radius);
+                               },
+                               [&](Cubic& s) { points(s.from, s.first, s.second, s.to); },
+                               [&](Quadratic& s) { points(s.from, s.handle, s.to); },
+                               [&](Disc& s) {
+                                   points(s.centre);
+                                   numbers.push_back(&s.radius);
+                               }},
                stroke);
 }
 
@@ -49,10 +43,10 @@ std::vector<double*> numbers_of(Sketch& sketch) {
         for (Stroke& stroke : element.strokes) add_stroke(numbers, stroke);
     for (game::Input& input : sketch.inputs) {
         numbers.push_back(&input.time);
-        std::visit(
-            Match{[&](game::Grab& a) { add(numbers, a.pointer); }, [&](game::Move& a) { add(numbers, a.pointer); },
-                  [](game::Release&) {}, [&](game::Tilt& a) { numbers.push_back(&a.angle); }},
-            input.action);
+        std::visit(geometry::Match{[&](game::Grab& a) { add(numbers, a.pointer); },
+                                   [&](game::Move& a) { add(numbers, a.pointer); }, [](game::Release&) {},
+                                   [&](game::Tilt& a) { numbers.push_back(&a.angle); }},
+                   input.action);
     }
     return numbers;
 }

@@ -7,18 +7,12 @@
 
 #include <unistd.h>
 
+#include "geometry/match.h"
 #include "level/level.h"
 
 namespace hunt {
 
 namespace {
-
-template <typename... Cases>
-struct Match : Cases... {
-    using Cases::operator()...;
-};
-template <typename... Cases>
-Match(Cases...) -> Match<Cases...>;
 
 // The shortest text that reads as the same number.
 std::string text_of(double number) {
@@ -31,16 +25,17 @@ std::string text_of(double number) {
 std::string drawn(Vec2 const& point) { return text_of(point.x()) + " " + text_of(-point.y()); }
 
 std::string command_of(Stroke const& stroke) {
-    return std::visit(
-        Match{[](Line const& s) { return "L " + drawn(s.to); },
-              [](Bow const& s) {
-                  return "A " + text_of(s.radius) + " " + text_of(s.radius) + " 0 " + (s.large ? "1 " : "0 ") +
-                         (s.left ? "0 " : "1 ") + drawn(s.to);
-              },
-              [](Cubic const& s) { return "C " + drawn(s.first) + " " + drawn(s.second) + " " + drawn(s.to); },
-              [](Quadratic const& s) { return "Q " + drawn(s.handle) + " " + drawn(s.to); },
-              [](Disc const&) { return std::string(); }},
-        stroke);
+    return std::visit(geometry::Match{[](Line const& s) { return "L " + drawn(s.to); },
+                                      [](Bow const& s) {
+                                          return "A " + text_of(s.radius) + " " + text_of(s.radius) + " 0 " +
+                                                 (s.large ? "1 " : "0 ") + (s.left ? "0 " : "1 ") + drawn(s.to);
+                                      },
+                                      [](Cubic const& s) {
+                                          return "C " + drawn(s.first) + " " + drawn(s.second) + " " + drawn(s.to);
+                                      },
+                                      [](Quadratic const& s) { return "Q " + drawn(s.handle) + " " + drawn(s.to); },
+                                      [](Disc const&) { return std::string(); }},
+                      stroke);
 }
 
 std::string attributes_of(physics::Material const& material) {
@@ -74,14 +69,14 @@ std::string elements_of(Element const& element) {
 }  // namespace
 
 Vec2 from_of(Stroke const& stroke) {
-    return std::visit(Match{[](Disc const& s) -> Vec2 { return s.centre + Vec2(s.radius, 0); },
-                            [](auto const& s) -> Vec2 { return s.from; }},
+    return std::visit(geometry::Match{[](Disc const& s) -> Vec2 { return s.centre + Vec2(s.radius, 0); },
+                                      [](auto const& s) -> Vec2 { return s.from; }},
                       stroke);
 }
 
 Vec2 to_of(Stroke const& stroke) {
-    return std::visit(Match{[](Disc const& s) -> Vec2 { return s.centre + Vec2(s.radius, 0); },
-                            [](auto const& s) -> Vec2 { return s.to; }},
+    return std::visit(geometry::Match{[](Disc const& s) -> Vec2 { return s.centre + Vec2(s.radius, 0); },
+                                      [](auto const& s) -> Vec2 { return s.to; }},
                       stroke);
 }
 

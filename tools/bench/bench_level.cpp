@@ -72,7 +72,7 @@ std::vector<Contestant> methods_at(std::vector<double> const& rates) {
     return methods;
 }
 
-Contestant contestant_of(std::string const& method, double rate) {
+Contestant contestant_called(std::string const& method, double rate) {
     for (Contestant const& ours : methods_at({rate}))
         if (ours.method == method) return ours;
     throw std::logic_error(method);
@@ -116,16 +116,16 @@ std::string metres(double length) {
 }
 
 Reference reference_of(Task const& task) {
-    auto const fine = answer_of(contestant_of("steps", finest_rate), task);
+    auto const fine = answer_of(contestant_called("steps", finest_rate), task);
     std::string const rate = std::to_string(static_cast<int>(finest_rate)) + " Hz";
     if (exact_suffices(task)) {
-        Reference reference{"exact", "", 0, answer_of(contestant_of("exact", 0), task)};
+        Reference reference{"exact", "", 0, answer_of(contestant_called("exact", 0), task)};
         reference.uncertainty = largest_distance(reference.truth, fine);
         reference.text = "the exact method, with which steps at " + rate + " agree to " + metres(reference.uncertainty);
         return reference;
     }
     Reference reference{"steps", "", 0, fine};
-    reference.uncertainty = largest_distance(fine, answer_of(contestant_of("steps", finest_rate / 2), task));
+    reference.uncertainty = largest_distance(fine, answer_of(contestant_called("steps", finest_rate / 2), task));
     reference.text = "steps at " + rate + ", as balls lean on each other; half the rate moves it by " +
                      metres(reference.uncertainty);
     return reference;

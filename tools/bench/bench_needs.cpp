@@ -65,7 +65,7 @@ std::vector<Needy> all_needs() {
     return needs;
 }
 
-std::vector<Contestant> compared() {
+std::vector<Contestant> ours_but_article() {
     std::vector<Contestant> contestants;
     for (Contestant const& ours : our_methods({240}))
         if (ours.pieces == 0 && ours.method != "article") contestants.push_back(ours);
@@ -77,13 +77,13 @@ std::vector<Contestant> compared() {
 Part needs_part(Effort const& effort) {
     Part part;
     for (Needy const& need : all_needs())
-        for (Contestant const& contestant : compared())
+        for (Contestant const& contestant : ours_but_article())
             part.benchmarks.push_back(sampled_run("needs/" + need.name, contestant, need.task, effort));
     part.write = [benchmarks = part.benchmarks](Times const& times, Tables const& tables) {
         std::ofstream to = tables.open("needs.tsv");
         to << "# ns per simulated second, asked 60 times a second; what needs a line has one\n# need";
-        for (Contestant const& contestant : compared()) to << '\t' << contestant.method;
-        std::size_t const methods = compared().size();
+        for (Contestant const& contestant : ours_but_article()) to << '\t' << contestant.method;
+        std::size_t const methods = ours_but_article().size();
         for (std::size_t i = 0; i < benchmarks.size(); ++i) {
             if (i % methods == 0) to << '\n' << all_needs()[i / methods].name;
             to << '\t' << time_in(times, benchmarks[i].name);

@@ -20,7 +20,7 @@ struct Size {
 };
 
 // Evenly spread in [-1, 1), the same on every machine.
-class Dice {
+class Shuffle {
 public:
     double next() {
         state_ = state_ * 6364136223846793005u + 1442695040888963407u;
@@ -43,15 +43,15 @@ Task gas_of(int count) {
     task.scene.gravity = 0;
     task.scene.terrain = physics::terrain_of({side({0, 0}, {edge, 0}), side({edge, 0}, {edge, edge}),
                                               side({edge, edge}, {0, edge}), side({0, edge}, {0, 0})});
-    Dice dice;
+    Shuffle shuffle;
     for (int i = 0; i < count; ++i) {
         physics::Ball ball;
         ball.friction = 0;
         ball.restitution = 1;
-        double const x = room * (i % columns + 0.5 + 0.2 * dice.next()), y = room * (i / columns + 0.5);
-        double const across = most_speed * dice.next();
+        double const x = room * (i % columns + 0.5 + 0.2 * shuffle.next()), y = room * (i / columns + 0.5);
+        double const across = most_speed * shuffle.next();
         ball.start.position = {x, y};
-        ball.start.velocity = {across, most_speed * dice.next()};
+        ball.start.velocity = {across, most_speed * shuffle.next()};
         task.scene.balls.push_back(ball);
     }
     return task;
@@ -73,7 +73,7 @@ Task flight_over(int count) {
 }
 
 // The exact method, and who steps, as advised.
-std::vector<Contestant> compared() {
+std::vector<Contestant> ours_and_peers() {
     std::vector<Contestant> contestants;
     for (Contestant const& ours : our_methods({240}))
         if (ours.pieces == 0 && ours.method != "article") contestants.push_back(ours);
@@ -104,7 +104,7 @@ void write_numbers(std::vector<Size> const& sizes, Times const& times, Tables co
     crossings << "# where the exact method and another cost the same\n# what\tmethod\tcount\ttime\n";
     for (char const* const what : {"balls", "surfaces", "chords"}) {
         std::map<std::string, Curve> curves;
-        for (Contestant const& contestant : compared()) {
+        for (Contestant const& contestant : ours_and_peers()) {
             for (Size const& size : sizes) {
                 double const time = time_in(times, size.benchmark);
                 if (size.what != what || size.contestant.method != contestant.method || std::isnan(time)) continue;
@@ -132,13 +132,13 @@ Part numbers_part(std::string const& lab, std::vector<int> const& balls, std::ve
         sizes.push_back({what, count, contestant, part.benchmarks.back().name});
     };
     for (int const count : balls)
-        for (Contestant const& contestant : compared()) add("balls", count, contestant, gas_of(count), count);
+        for (Contestant const& contestant : ours_and_peers()) add("balls", count, contestant, gas_of(count), count);
     for (int const count : surfaces)
-        for (Contestant const& contestant : compared()) add("surfaces", count, contestant, flight_over(count), 1);
+        for (Contestant const& contestant : ours_and_peers()) add("surfaces", count, contestant, flight_over(count), 1);
     Task valley;
     valley.scene = level::read_level(lab + "/valley.svg").scene;
     valley.duration = 5;
-    for (Contestant contestant : compared()) {
+    for (Contestant contestant : ours_and_peers()) {
         bool const knows_arcs = contestant.pieces == 0;
         if (knows_arcs) add("chords", 0, contestant, valley, 1);
         for (int const count : chords) {

@@ -161,7 +161,7 @@ Member pulled(Dice& dice) {
     return member;
 }
 
-Member few_of(int count, Dice& dice) {
+Member some_few(int count, Dice& dice) {
     Member member = track(dice);
     member.kind = "few";
     for (int i = 1; i < count; ++i) {
@@ -172,9 +172,9 @@ Member few_of(int count, Dice& dice) {
     return member;
 }
 
-Member few(Dice& dice) { return few_of(dice.count_between(2, 8), dice); }
+Member few(Dice& dice) { return some_few(dice.count_between(2, 8), dice); }
 
-Member gas_of(int side, Dice& dice) {
+Member some_gas(int side, Dice& dice) {
     double const width = 2.5 * side;
     Material const wall{0, 1, 0};
     Scene scene = scene_of({{Segment{{0, 0}, {width, 0}}, wall, 0},
@@ -193,7 +193,7 @@ Member gas_of(int side, Dice& dice) {
     return {"gas", {scene, {}, 4}, {}};
 }
 
-Member gas(Dice& dice) { return gas_of(dice.count_between(2, 8), dice); }
+Member gas(Dice& dice) { return some_gas(dice.count_between(2, 8), dice); }
 
 }  // namespace
 
@@ -204,14 +204,14 @@ Task without_idle_spring(Task task) {
 
 Member few_of(int count, unsigned seed) {
     Dice dice(seed);
-    Member member = few_of(count, dice);
+    Member member = some_few(count, dice);
     member.task = without_idle_spring(member.task);
     return member;
 }
 
 Member gas_of(int side, unsigned seed) {
     Dice dice(seed);
-    Member member = gas_of(side, dice);
+    Member member = some_gas(side, dice);
     member.task = without_idle_spring(member.task);
     return member;
 }

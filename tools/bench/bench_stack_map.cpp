@@ -9,8 +9,8 @@ namespace bench {
 
 namespace {
 
-constexpr double radius = 0.5;      // m
-constexpr int watched_frames = 60;  // at the end
+constexpr double ball_radius = 0.5;  // m
+constexpr int watched_frames = 60;   // at the end
 
 // `height` equal discs on a floor and one on top that is `ratio` times as heavy, all touching.
 physics::Scene column_of(int height, double ratio) {
@@ -18,8 +18,8 @@ physics::Scene column_of(int height, double ratio) {
     scene.terrain = physics::terrain_of({{geometry::Segment{{-100, 0}, {100, 0}}, {}, 0}});
     for (int i = 0; i <= height; ++i) {
         physics::Ball ball;
-        ball.radius = radius;
-        ball.start.position = {0, radius + 2 * radius * i};
+        ball.radius = ball_radius;
+        ball.start.position = {0, ball_radius + 2 * ball_radius * i};
         if (i == height) ball.mass = ratio;
         scene.balls.push_back(ball);
     }
@@ -28,13 +28,13 @@ physics::Scene column_of(int height, double ratio) {
 
 // m; infinite where a ball has left the column or passed the one below it.
 double deepest_in(std::vector<Vec2> const& positions) {
-    double deepest = radius - positions[0].y();
+    double deepest = ball_radius - positions[0].y();
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!(std::abs(positions[i].x()) < radius)) return physics::never;
+        if (!(std::abs(positions[i].x()) < ball_radius)) return physics::never;
         if (i == 0) continue;
         double const rise = positions[i].y() - positions[i - 1].y();
         if (!(rise > 0)) return physics::never;
-        deepest = std::max(deepest, 2 * radius - rise);
+        deepest = std::max(deepest, 2 * ball_radius - rise);
     }
     return positions[0].y() > 0 ? deepest : physics::never;
 }
@@ -62,8 +62,8 @@ void map_stacks(std::vector<int> const& heights, std::vector<double> const& rati
         for (std::size_t column = 0; column < heights.size(); ++column) {
             for (std::size_t row = 0; row < ratios.size(); ++row)
                 to << heaper.method << '\t' << heaper.setting << '\t' << heights[column] << '\t' << ratios[row] << '\t'
-                   << deepest_after(heaper, column_of(heights[column], ratios[row]), settling) / (2 * radius) << '\t'
-                   << column << '\t' << row << '\n';
+                   << deepest_after(heaper, column_of(heights[column], ratios[row]), settling) / (2 * ball_radius)
+                   << '\t' << column << '\t' << row << '\n';
             to << '\n';
         }
         to << '\n';

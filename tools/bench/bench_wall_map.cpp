@@ -8,7 +8,7 @@ namespace bench {
 namespace {
 
 constexpr double near_face = 10;              // m
-constexpr double distance = 3;                // m, from the ball's rim to the wall
+constexpr double clearance = 3;               // m, from the ball's rim to the wall
 constexpr double slowest = 1, fastest = 1e5;  // m/s
 constexpr double thickest = 2;                // m
 constexpr int phases = 8;                     // starts that reach the wall at different parts of a step
@@ -25,10 +25,10 @@ Task task_of(double speed, double thickness, int phase) {
     task.scene.terrain = physics::terrain_of(std::move(faces));
     physics::Ball ball;
     double const head_start = speed / frames_per_second * phase / phases;
-    ball.start.position = {near_face - ball.radius - distance - head_start, 0};
+    ball.start.position = {near_face - ball.radius - clearance - head_start, 0};
     ball.start.velocity = {speed, 0};
     task.scene.balls = {ball};
-    task.duration = std::ceil((distance + head_start) / speed * frames_per_second + frames_after) / frames_per_second;
+    task.duration = std::ceil((clearance + head_start) / speed * frames_per_second + frames_after) / frames_per_second;
     return task;
 }
 
