@@ -54,6 +54,12 @@ def rings(count, paint=""):
                          for i in range(count)), '<circle class="ball" cx="3" cy="2" r="0.5"/>\n')
 
 
+def arcs(count):
+    """Arcs between the same two points, each with another bulge."""
+    radii = (f"{60 + 400 * i / count:.6f}" for i in range(count))
+    return level("".join(f'<path class="terrain" d="M20 45A{r} {r} 0 0 1 140 45"/>\n' for r in radii))
+
+
 def curves(count):
     """Curves of all kinds within 100 m, handles on their ends and nearly straight ones among them: decorations, so that
     their tracing is what is measured."""
@@ -97,6 +103,9 @@ INPUTS = {
     "bricks-40000": ("render", lambda: bricks(40_000), 0, 1, None),
     "bricks-40000-check": ("check", lambda: bricks(40_000), 0, None, None),
     "bricks-40000-painted": ("render", lambda: bricks(40_000, ' fill="#a52"'), 0, 1, None),
+    "bricks-40000-icy": ("render", lambda: bricks(40_000).replace('"terrain"', '"terrain" data-friction="0.1"', 1), 0,
+                         None, None),
+    "arcs-20000": ("check", lambda: arcs(20_000), 0, 1, 200),
     "rings-40000": ("render", lambda: rings(40_000), 0, 1, None),
     "rings-40000-check": ("check", lambda: rings(40_000), 0, None, None),
     "rings-40000-painted": ("render", lambda: rings(40_000, ' fill="#a52"'), 0, 1, None),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -68,16 +69,18 @@ private:
 
     template <typename Admits, typename Visit>
     void each_that(Admits const& admits, Visit&& visit) const {
-        if (nodes_.empty()) return;
+        if (!parts_) return;
+        std::vector<Node> const& nodes = parts_->nodes;
+        std::vector<Leaf> const& leaves = parts_->leaves;
         int stack[64];
         int depth = 0;
         stack[depth++] = 0;
         while (depth > 0) {
-            Node const& node = nodes_[stack[--depth]];
+            Node const& node = nodes[stack[--depth]];
             if (!admits(node.bound)) continue;
             if (node.count > 0) {
                 for (int i = node.first; i < node.first + node.count; ++i)
-                    if (admits(leaves_[i].bound)) visit(leaves_[i].index);
+                    if (admits(leaves[i].bound)) visit(leaves[i].index);
             } else {
                 stack[depth++] = node.first + 1;
                 stack[depth++] = node.first;
@@ -88,14 +91,21 @@ private:
         double const a = dot(direction, stroke.from), b = dot(direction, stroke.to);
         return std::max({0.0, extent.low - std::max(a, b), std::min(a, b) - extent.high});
     }
-    void grow();
-    void split(int node, int first, int last);
-    static Extent extent_of(std::span<Leaf const> leaves, std::span<Curve const> curves, Vec2 const& direction);
-    static Bound leaning(Bound const& bound, std::span<Leaf const> leaves, std::span<Curve const> curves);
-    std::span<Leaf const> leaves_under(Node const& node) const;
+    struct Parts {
+        std::vector<Node> nodes;
+        std::vector<Leaf> leaves;
+    };
+    struct Entry;
+    static Parts grown_over(std::vector<Box> const& boxes);
+    static void split(std::vector<Node>& nodes, int node, int first, std::span<Entry> entries,
+                      std::vector<Box> const& boxes);
+    template <typename Reach>
+    static Bound leaning_by(Box const& box, Reach const& reach);
+    static Bound leaning(Box const& box, std::span<Curve const> curves);
+    static Bound leaning(Box const& box, Bound const& left, Bound const& right);
+    static Extent extent_of(Bound const& bound, Vec2 const& direction);
 
-    std::vector<Node> nodes_;
-    std::vector<Leaf> leaves_;
+    std::shared_ptr<Parts const> parts_;  // shared by copies; none where there are no boxes
 };
 
 }  // namespace geometry

@@ -19,25 +19,34 @@ constexpr double exposed_slack = 1e-12;  // rounding of a unit vector's scalar p
 // rad: over an edge narrower than this a ball dips by less than 1e-15 r, and the reach of touch is wider than the edge
 constexpr double flat_cone = 1e-7;
 
-void sort_edges(Vertex& vertex) {
-    std::stable_sort(vertex.edges.begin(), vertex.edges.end(), [](IncidentEdge const& a, IncidentEdge const& b) {
-        return angle_of(a.direction) < angle_of(b.direction);
+struct AngledEdge {
+    double angle;  // rad
+    std::size_t position;
+    IncidentEdge edge;
+};
+
+// Into `angled`, kept between vertices for its room.
+void sort_edges(Vertex& vertex, std::vector<AngledEdge>& angled) {
+    angled.clear();
+    for (IncidentEdge const& edge : vertex.edges) angled.push_back({angle_of(edge.direction), angled.size(), edge});
+    std::sort(angled.begin(), angled.end(), [](AngledEdge const& a, AngledEdge const& b) {
+        return a.angle < b.angle || (a.angle == b.angle && a.position < b.position);
     });
+    for (std::size_t i = 0; i < angled.size(); ++i) vertex.edges[i] = angled[i].edge;
 }
 
 // The widest gap between neighbouring edges, less a quarter turn at each side, is what the vertex exposes.
-void set_cone(Vertex& vertex) {
+void set_cone(Vertex& vertex, std::vector<AngledEdge> const& angled) {
     double widest = 0;
-    auto const count = vertex.edges.size();
+    auto const count = angled.size();
     for (std::size_t i = 0; i < count; ++i) {
-        double const from = angle_of(vertex.edges[i].direction);
-        double to = angle_of(vertex.edges[(i + 1) % count].direction);
-        if (i + 1 == count) to += 2 * pi;
-        if (to - from - pi > widest) {
-            widest = to - from - pi;
+        AngledEdge const &from = angled[i], &next = angled[(i + 1) % count];
+        double const to = i + 1 == count ? next.angle + 2 * pi : next.angle;
+        if (to - from.angle - pi > widest) {
+            widest = to - from.angle - pi;
             vertex.cone_high = to - pi / 2;
-            vertex.first_edge = vertex.edges[i].direction;
-            vertex.last_edge = vertex.edges[(i + 1) % count].direction;
+            vertex.first_edge = from.edge.direction;
+            vertex.last_edge = next.edge.direction;
         }
     }
     vertex.cone_width = widest > flat_cone ? widest : 0;
@@ -101,26 +110,29 @@ Terrain terrain_of(std::vector<Piece> drawn) {
     terrain.pieces = std::move(all.pieces);
     terrain.start_vertex = std::move(all.start);
     terrain.end_vertex = std::move(all.end);
-    for (Vec2 const& point : all.points) {
-        terrain.vertices.emplace_back();
-        terrain.vertices.back().point = point;
+    terrain.tree = std::move(all.tree);
+    terrain.vertices.resize(all.points.size());
+    for (std::size_t i = 0; i < all.points.size(); ++i) terrain.vertices[i].point = all.points[i];
+    std::vector<int> degrees(all.points.size());
+    for (std::size_t i = 0; i < terrain.pieces.size(); ++i) {
+        if (terrain.start_vertex[i] < 0) continue;
+        ++degrees[terrain.start_vertex[i]];
+        ++degrees[terrain.end_vertex[i]];
     }
-    std::vector<geometry::Curve> curves;
-    curves.reserve(terrain.pieces.size());
+    for (std::size_t i = 0; i < degrees.size(); ++i) terrain.vertices[i].edges.reserve(degrees[i]);
     for (int i = 0; i < static_cast<int>(terrain.pieces.size()); ++i) {
         geometry::Curve const& curve = terrain.pieces[i].curve;
-        curves.push_back(curve);
         terrain.bounds = united(terrain.bounds, geometry::box_of(curve));
         if (terrain.start_vertex[i] < 0) continue;
         terrain.vertices[terrain.start_vertex[i]].edges.push_back({i, true, geometry::tangent_at_start(curve)});
         terrain.vertices[terrain.end_vertex[i]].edges.push_back({i, false, -geometry::tangent_at_end(curve)});
     }
+    std::vector<AngledEdge> angled;
     for (Vertex& vertex : terrain.vertices) {
-        sort_edges(vertex);
-        set_cone(vertex);
+        sort_edges(vertex, angled);
+        set_cone(vertex, angled);
         set_material(terrain, vertex);
     }
-    terrain.tree = geometry::BoxTree(std::span<geometry::Curve const>(curves));
     return terrain;
 }
 

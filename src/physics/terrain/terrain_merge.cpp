@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <unordered_map>
 
 #include "geometry/elementary.h"
+#include "physics/terrain/cell_lists.h"
+#include "physics/terrain/places.h"
 
 namespace physics {
 
@@ -15,55 +16,6 @@ using geometry::pi;
 using geometry::Segment;
 
 namespace {
-
-bool comes_before(Vec2 const& a, Vec2 const& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); }
-
-// The chains of points that lie within `vertex_reach` of each other, found in cells as wide as that. Points are sorted,
-// and a chain is known by its first.
-class Chains {
-public:
-    explicit Chains(std::vector<Vec2> points) : points_(std::move(points)) {
-        std::sort(points_.begin(), points_.end(), comes_before);
-        points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-        first_.resize(points_.size());
-        std::iota(first_.begin(), first_.end(), 0);
-        for (int i = 0; i < static_cast<int>(points_.size()); ++i) join_neighbours(i);
-    }
-
-    Vec2 const& place_of(Vec2 const& point) {
-        auto const found = std::lower_bound(points_.begin(), points_.end(), point, comes_before);
-        return points_[root(static_cast<int>(found - points_.begin()))];
-    }
-
-private:
-    static std::uint64_t key(std::int64_t column, std::int64_t row) {
-        return static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(row);
-    }
-    int root(int i) {
-        while (first_[i] != i) i = first_[i] = first_[first_[i]];
-        return i;
-    }
-    void join_neighbours(int i) {
-        Vec2 const& point = points_[i];
-        auto const column = static_cast<std::int64_t>(std::floor(point.x() / vertex_reach));
-        auto const row = static_cast<std::int64_t>(std::floor(point.y() / vertex_reach));
-        for (std::int64_t c = column - 1; c <= column + 1; ++c)
-            for (std::int64_t r = row - 1; r <= row + 1; ++r) {
-                auto const cell = cells_.find(key(c, r));
-                if (cell == cells_.end()) continue;
-                for (int const j : cell->second)
-                    if (geometry::length(points_[j] - point) <= vertex_reach) {
-                        int const a = root(i), b = root(j);
-                        first_[std::max(a, b)] = std::min(a, b);
-                    }
-            }
-        cells_[key(column, row)].push_back(i);
-    }
-
-    std::vector<Vec2> points_;
-    std::vector<int> first_;
-    std::unordered_map<std::uint64_t, std::vector<int>> cells_;
-};
 
 // The arc between two other ends: what joined the old ones, turned and stretched.
 Arc stretched(Arc const& arc, Vec2 const& start, Vec2 const& end) {
@@ -98,6 +50,7 @@ void append_moved(std::vector<Piece>& pieces, Piece const& piece, Vec2 const& st
 
 std::vector<Vec2> ends_of(std::vector<Piece> const& pieces) {
     std::vector<Vec2> ends;
+    ends.reserve(2 * pieces.size());
     for (Piece const& piece : pieces)
         if (!geometry::is_whole_circle(piece.curve)) {
             ends.push_back(geometry::start_of(piece.curve));
@@ -106,18 +59,41 @@ std::vector<Vec2> ends_of(std::vector<Piece> const& pieces) {
     return ends;
 }
 
-std::vector<Piece> with_ends_joined(std::vector<Piece> const& drawn) {
-    Chains chains(ends_of(drawn));
+// Pieces, and where the ends of those that are no whole circles are, in their order.
+struct Joined {
     std::vector<Piece> pieces;
+    Places places;
+};
+
+// Whether every end is drawn at its place already, and every piece has a length.
+bool are_joined(std::vector<Piece> const& pieces, std::vector<Vec2> const& ends, Places const& places) {
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        if (ends[i] != places.points[places.of_end[i]]) return false;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+        if (places.of_end[i] == places.of_end[i + 1]) return false;
+    return std::all_of(pieces.begin(), pieces.end(),
+                       [](Piece const& piece) { return geometry::length_of(piece.curve) > 0; });
+}
+
+Joined with_ends_joined(std::vector<Piece> drawn) {
+    std::vector<Vec2> const ends = ends_of(drawn);
+    Places places = places_of(ends);
+    if (are_joined(drawn, ends, places)) return {std::move(drawn), std::move(places)};
+    std::vector<Piece> pieces;
+    pieces.reserve(drawn.size());
+    std::size_t next_end = 0;
     for (Piece const& piece : drawn) {
+        bool const whole = geometry::is_whole_circle(piece.curve);
+        std::size_t const first_end = next_end;
+        if (!whole) next_end += 2;
         // What has no length has neither a tangent nor a side to touch.
         if (!(geometry::length_of(piece.curve) > 0)) continue;
-        if (geometry::is_whole_circle(piece.curve)) {
+        if (whole) {
             pieces.push_back(piece);
             continue;
         }
-        Vec2 const start = chains.place_of(geometry::start_of(piece.curve));
-        Vec2 const end = chains.place_of(geometry::end_of(piece.curve));
+        Vec2 const& start = places.points[places.of_end[first_end]];
+        Vec2 const& end = places.points[places.of_end[first_end + 1]];
         auto const* arc = std::get_if<Arc>(&piece.curve);
         if (start != end)
             append_moved(pieces, piece, start, end);
@@ -125,17 +101,9 @@ std::vector<Piece> with_ends_joined(std::vector<Piece> const& drawn) {
             pieces.push_back({Arc{arc->centre, arc->radius, arc->from, std::copysign(2 * pi, arc->sweep)},
                               piece.material, piece.surface});
     }
-    return pieces;
-}
-
-std::vector<Vec2> sorted_points(std::vector<Piece> const& pieces) {
     // Ends of arcs are worked out: what differs by rounding alone is one point.
-    Chains chains(ends_of(pieces));
-    std::vector<Vec2> points;
-    for (Vec2 const& end : ends_of(pieces)) points.push_back(chains.place_of(end));
-    std::sort(points.begin(), points.end(), comes_before);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
+    places = places_of(ends_of(pieces));
+    return {std::move(pieces), std::move(places)};
 }
 
 // How far along a curve, in the sense of travel, a point next to it lies: rad on arcs, m on lines.
@@ -174,36 +142,41 @@ void append_parted(std::vector<Piece>& pieces, Piece const& piece, std::vector<V
     }
 }
 
-std::vector<Piece> parted_at_points(std::vector<Piece> const& whole) {
-    std::vector<Curve> curves;
-    curves.reserve(whole.size());
-    for (Piece const& piece : whole) curves.push_back(piece.curve);
-    geometry::BoxTree const tree{std::span<Curve const>(curves)};
+// By piece: the points that lie on it between its ends, in the sense of travel.
+std::vector<std::vector<Vec2>> points_within(std::vector<Piece> const& whole, geometry::BoxTree const& tree,
+                                             std::vector<Vec2> const& points) {
     struct Place {
+        int piece;
         double along;
         Vec2 point;
     };
-    std::vector<std::vector<Place>> places(whole.size());
-    for (Vec2 const& point : sorted_points(whole))
+    std::vector<Place> places;
+    for (Vec2 const& point : points)
         tree.each_near(geometry::stroke_of(point, point, lies_on), [&](int i) {
-            geometry::Nearest const nearest = geometry::nearest_point(curves[i], point);
-            bool const at_an_end = !geometry::is_whole_circle(curves[i]) &&
-                                   (geometry::length(geometry::start_of(curves[i]) - point) <= vertex_reach ||
-                                    geometry::length(geometry::end_of(curves[i]) - point) <= vertex_reach);
-            if (nearest.distance <= lies_on && nearest.inside && !at_an_end)
-                places[i].push_back({place_along(curves[i], point), point});
+            Curve const& curve = whole[i].curve;
+            geometry::Nearest const nearest = geometry::nearest_point(curve, point);
+            if (!nearest.inside || nearest.distance > lies_on) return;
+            bool const at_an_end = !geometry::is_whole_circle(curve) &&
+                                   (geometry::length(geometry::start_of(curve) - point) <= vertex_reach ||
+                                    geometry::length(geometry::end_of(curve) - point) <= vertex_reach);
+            if (!at_an_end) places.push_back({i, place_along(curve, point), point});
         });
+    std::stable_sort(places.begin(), places.end(), [](Place const& a, Place const& b) {
+        return a.piece < b.piece || (a.piece == b.piece && a.along < b.along);
+    });
+    std::vector<std::vector<Vec2>> within(places.empty() ? 0 : whole.size());
+    for (Place const& place : places) within[place.piece].push_back(place.point);
+    return within;
+}
+
+std::vector<Piece> parted(std::vector<Piece> const& whole, std::vector<std::vector<Vec2>> const& within) {
     std::vector<Piece> pieces;
+    pieces.reserve(whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
-        if (places[i].empty()) {
+        if (within[i].empty())
             pieces.push_back(whole[i]);
-            continue;
-        }
-        std::stable_sort(places[i].begin(), places[i].end(),
-                         [](Place const& a, Place const& b) { return a.along < b.along; });
-        std::vector<Vec2> stops;
-        for (Place const& place : places[i]) stops.push_back(place.point);
-        append_parted(pieces, whole[i], stops);
+        else
+            append_parted(pieces, whole[i], within[i]);
     }
     return pieces;
 }
@@ -216,74 +189,127 @@ Vec2 middle_of(Curve const& curve) {
 
 // Pieces between the same two points lie on each other where their middles do; whole circles by centre and radius.
 bool lie_on_each_other(MergedPieces const& all, int i, int j) {
+    if (std::minmax(all.start[i], all.end[i]) != std::minmax(all.start[j], all.end[j])) return false;
     Curve const &a = all.pieces[i].curve, &b = all.pieces[j].curve;
     if (all.start[i] >= 0) return geometry::length(middle_of(a) - middle_of(b)) <= lies_on;
     Arc const &p = std::get<Arc>(a), &q = std::get<Arc>(b);
     return geometry::length(p.centre - q.centre) <= lies_on && std::abs(p.radius - q.radius) <= lies_on;
 }
 
-// By pair of points, then in the order of the file; whole circles by centre, so that those that lie on each other are
-// near.
-std::vector<int> in_groups(MergedPieces const& all) {
+// In the order of the file; whole circles after the others, by centre.
+std::vector<int> by_precedence(MergedPieces const& all) {
     std::vector<int> order(all.pieces.size());
     std::iota(order.begin(), order.end(), 0);
-    auto const ends = [&](int i) { return std::minmax(all.start[i], all.end[i]); };
-    std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-        auto const a = ends(i), b = ends(j);
-        if (a != b) return a < b;
-        return all.start[i] < 0 &&
-               std::get<Arc>(all.pieces[i].curve).centre.x() < std::get<Arc>(all.pieces[j].curve).centre.x();
+    auto const circles = std::stable_partition(order.begin(), order.end(), [&](int i) { return all.start[i] >= 0; });
+    std::stable_sort(circles, order.end(), [&](int i, int j) {
+        return std::get<Arc>(all.pieces[i].curve).centre.x() < std::get<Arc>(all.pieces[j].curve).centre.x();
     });
     return order;
 }
 
-bool may_lie_on_each_other(MergedPieces const& all, int i, int j) {
-    if (std::minmax(all.start[i], all.end[i]) != std::minmax(all.start[j], all.end[j])) return false;
-    return all.start[i] >= 0 ||
-           std::get<Arc>(all.pieces[j].curve).centre.x() - std::get<Arc>(all.pieces[i].curve).centre.x() <= lies_on;
+// What is alike for pieces that lie on each other, to rounding.
+struct Likeness {
+    std::uint64_t ends = 0;
+    double numbers[3] = {0, 0, 0};  // m
+};
+Likeness likeness_of(MergedPieces const& all, int i) {
+    if (all.start[i] < 0) {
+        Arc const& arc = std::get<Arc>(all.pieces[i].curve);
+        return {0, {arc.centre.x(), arc.centre.y(), arc.radius}};
+    }
+    auto const [low, high] = std::minmax(all.start[i], all.end[i]);
+    Vec2 const middle = middle_of(all.pieces[i].curve);
+    return {joined_key(joined_key(1, low), high), {middle.x(), middle.y(), 0}};
 }
 
-MergedPieces drawn_once(MergedPieces all) {
-    std::vector<int> const order = in_groups(all);
-    std::vector<bool> gone(all.pieces.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (gone[order[i]]) continue;
-        for (std::size_t j = i + 1; j < order.size() && may_lie_on_each_other(all, order[i], order[j]); ++j)
-            if (!gone[order[j]] && lie_on_each_other(all, order[i], order[j])) {
-                Piece& stays = all.pieces[order[i]];
-                take_over(stays.material, all.pieces[order[j]].material);
-                stays.surface = std::min(stays.surface, all.pieces[order[j]].surface);
-                gone[order[j]] = true;
-            }
+template <typename Visit>
+void each_cell_near(Likeness const& likeness, Visit const& visit) {
+    constexpr double width = cell_widths * lies_on, reach = cell_slack * lies_on;
+    auto const low = [&](int axis) { return cell_at(likeness.numbers[axis] - reach, width); };
+    auto const high = [&](int axis) { return cell_at(likeness.numbers[axis] + reach, width); };
+    for (std::int64_t a = low(0); a <= high(0); ++a)
+        for (std::int64_t b = low(1); b <= high(1); ++b)
+            for (std::int64_t c = low(2); c <= high(2); ++c)
+                visit(joined_key(joined_key(joined_key(likeness.ends, a), b), c));
+}
+
+// Pieces that have gone into another, which has taken over their materials.
+std::vector<bool> taken_over(MergedPieces& all) {
+    constexpr double width = cell_widths * lies_on;
+    std::vector<int> const order = by_precedence(all);
+    std::vector<Likeness> likenesses;
+    likenesses.reserve(order.size());
+    CellLists cells(order.size());
+    for (std::size_t at = 0; at < order.size(); ++at) {
+        Likeness const& own = likenesses.emplace_back(likeness_of(all, order[at]));
+        std::uint64_t key = own.ends;
+        for (double const number : own.numbers) key = joined_key(key, cell_at(number, width));
+        cells.add(key, static_cast<int>(at));
     }
-    MergedPieces once;
-    once.points = std::move(all.points);
+    std::vector<bool> gone(all.pieces.size());
+    for (int at = 0; at < static_cast<int>(order.size()); ++at) {
+        if (gone[order[at]]) continue;
+        Piece& stays = all.pieces[order[at]];
+        each_cell_near(likenesses[at], [&](std::uint64_t cell) {
+            cells.each_in(cell, [&](int other) {
+                if (other <= at || gone[order[other]] || !lie_on_each_other(all, order[at], order[other])) return;
+                take_over(stays.material, all.pieces[order[other]].material);
+                stays.surface = std::min(stays.surface, all.pieces[order[other]].surface);
+                gone[order[other]] = true;
+            });
+        });
+    }
+    return gone;
+}
+
+// Whether any piece was left out.
+bool leave_out_doubles(MergedPieces& all) {
+    std::vector<bool> const gone = taken_over(all);
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < gone.size(); ++i) {
         if (gone[i]) continue;
-        once.pieces.push_back(all.pieces[i]);
-        once.start.push_back(all.start[i]);
-        once.end.push_back(all.end[i]);
+        all.pieces[kept] = all.pieces[i];
+        all.start[kept] = all.start[i];
+        all.end[kept] = all.end[i];
+        ++kept;
     }
-    return once;
+    all.pieces.resize(kept);
+    all.start.resize(kept);
+    all.end.resize(kept);
+    return kept < gone.size();
 }
 
-int index_of(std::vector<Vec2> const& points, Vec2 const& place) {
-    return static_cast<int>(std::lower_bound(points.begin(), points.end(), place, comes_before) - points.begin());
+geometry::BoxTree tree_of(std::vector<Piece> const& pieces) {
+    std::vector<Curve> curves;
+    curves.reserve(pieces.size());
+    for (Piece const& piece : pieces) curves.push_back(piece.curve);
+    return geometry::BoxTree(std::span<Curve const>(curves));
 }
 
 }  // namespace
 
 MergedPieces merged(std::vector<Piece> drawn) {
+    Joined joined = with_ends_joined(std::move(drawn));
     MergedPieces all;
-    all.pieces = parted_at_points(with_ends_joined(drawn));
-    all.points = sorted_points(all.pieces);
-    Chains chains(ends_of(all.pieces));
+    all.tree = tree_of(joined.pieces);
+    std::vector<std::vector<Vec2>> const within = points_within(joined.pieces, all.tree, joined.places.points);
+    if (!within.empty()) {
+        joined.pieces = parted(joined.pieces, within);
+        joined.places = places_of(ends_of(joined.pieces));
+    }
+    all.pieces = std::move(joined.pieces);
+    all.points = std::move(joined.places.points);
+    std::vector<int> const& place_of_end = joined.places.of_end;
+    std::size_t next_end = 0;
+    all.start.reserve(all.pieces.size());
+    all.end.reserve(all.pieces.size());
     for (Piece const& piece : all.pieces) {
         bool const whole = geometry::is_whole_circle(piece.curve);
-        all.start.push_back(whole ? -1 : index_of(all.points, chains.place_of(geometry::start_of(piece.curve))));
-        all.end.push_back(whole ? -1 : index_of(all.points, chains.place_of(geometry::end_of(piece.curve))));
+        all.start.push_back(whole ? -1 : place_of_end[next_end++]);
+        all.end.push_back(whole ? -1 : place_of_end[next_end++]);
     }
-    return drawn_once(std::move(all));
+    if (leave_out_doubles(all) || !within.empty()) all.tree = tree_of(all.pieces);
+    return all;
 }
 
 }  // namespace physics

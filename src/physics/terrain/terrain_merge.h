@@ -12,6 +12,7 @@ struct MergedPieces {
     std::vector<Piece> pieces;    // their ends are at the points, to rounding
     std::vector<Vec2> points;     // m, one for every vertex, in lexicographic order
     std::vector<int> start, end;  // by piece, which point; -1 on a whole circle
+    geometry::BoxTree tree;       // over the pieces
 };
 
 // Three steps, none of which hangs on the order of the pieces:

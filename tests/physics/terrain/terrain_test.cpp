@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
@@ -16,10 +17,61 @@ TEST_CASE("ends within a micrometre are one vertex, further apart two") {
     CHECK(terrain_of({{Segment{{0, 0}, {1, 0}}, {}, 0}, {Segment{{1 + 2e-6, 0}, {2, 0}}, {}, 0}}).vertices.size() == 4);
 }
 
+TEST_CASE("ends are one vertex or two by their distance alone, wherever they are and however many") {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> metres(-0.5, 0.5), angle(-pi, pi);
+    for (double const distance : {9e-7, 1.1e-6}) {
+        constexpr int pairs = 900;
+        std::vector<Piece> pieces;
+        for (int i = 0; i < pairs; ++i) {
+            double const far = i % 3 == 0 ? 1e4 : 1;  // m
+            Vec2 const end = far * Vec2(3 * (i % 30), 3 * (i / 30)) + Vec2(metres(random), metres(random));
+            auto const [sine, cosine] = geometry::sine_cosine(angle(random));
+            pieces.push_back({Segment{end - Vec2(0.5, 0), end}, {}, 0});
+            pieces.push_back({Segment{end + distance * Vec2(cosine, sine), end + Vec2(0.5, 0.25)}, {}, 0});
+        }
+        CHECK(terrain_of(pieces).vertices.size() == (distance < vertex_reach ? 3 : 4) * pairs);
+    }
+}
+
 TEST_CASE("a whole circle has no vertex") {
     Terrain const terrain = terrain_of({{Arc{{0, 0}, 1, 0, 2 * pi}, {}, 0}});
     CHECK(terrain.vertices.empty());
     CHECK(terrain.start_vertex[0] == -1);
+}
+
+TEST_CASE("of many circles about one centre each is there once, with the greatest numbers and the first name") {
+    constexpr int circles = 500;
+    std::vector<Piece> pieces;
+    for (int i = 0; i < circles; ++i) pieces.push_back({Arc{{8, 4}, 0.01 * (i + 1), 0, 2 * pi}, {0.3, 0, 0.1}, i});
+    for (int i = 0; i < circles; ++i) {
+        Vec2 const centre(8 + (i % 2 == 0 ? 5e-10 : -5e-10), 4);
+        pieces.push_back({Arc{centre, 0.01 * (i + 1) - 5e-10, 1, -2 * pi}, {0.7, 0.2, 0}, circles + i});
+    }
+    Terrain const terrain = terrain_of(pieces);
+    REQUIRE(terrain.pieces.size() == circles);
+    for (Piece const& piece : terrain.pieces) {
+        CHECK(piece.material.friction == 0.7);
+        CHECK(piece.material.restitution == 0.2);
+        CHECK(piece.material.rolling_resistance == 0.1);
+        CHECK(piece.surface == std::lround(std::get<Arc>(piece.curve).radius * 100) - 1);
+    }
+}
+
+TEST_CASE("of many arcs between the same two points each is there once") {
+    constexpr int arcs = 300;
+    std::vector<Piece> pieces;
+    for (int i = 0; i < arcs; ++i) {
+        double const half = 0.5 + 0.003 * i;  // rad, of the sweep
+        auto const [sine, cosine] = geometry::sine_cosine(half);
+        double const radius = 0.5 / sine;
+        Arc const arc{{0.5, -radius * cosine}, radius, pi / 2 + half, -2 * half};
+        pieces.push_back({arc, {}, i});
+        pieces.push_back({geometry::reversed(arc), {}, i});
+    }
+    Terrain const terrain = terrain_of(pieces);
+    CHECK(terrain.pieces.size() == arcs);
+    CHECK(terrain.vertices.size() == 2);
 }
 
 static Vertex const& vertex_at(Terrain const& terrain, Vec2 const& point) {
