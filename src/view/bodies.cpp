@@ -158,7 +158,7 @@ std::vector<bool> rooms_among(std::vector<Ring> const& rings, std::vector<Vec2> 
 }
 
 Body solid_body(Ring const& ring) {
-    Body body{ring, Closing::closed, left_of(ring, Closing::closed), {ring}, 1};
+    Body body{ring, Closing::closed, left_of(ring, Closing::closed), std::vector<Ring>(1, ring), 1};
     double const area = signed_area(ring);
     if (area < 0) reverse_side(body.into);
     body.girth = 2 * std::abs(area) / std::max(perimeter_of(ring), 1e-9);
@@ -169,7 +169,7 @@ Body solid_body(Ring const& ring) {
 class Nesting {
 public:
     Nesting(std::vector<Ring> const& rings, std::vector<bool> const& room)
-        : rings_(rings), boxes_(boxes_of(rings)), tree_(boxes_), places_(rings.size()) {
+        : rings_(rings), boxes_(boxes_of(rings)), tree_(boxes_), places_(rings.size()), surrounds_(rings.size(), -1) {
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < rings.size(); ++i) {
             places_[i].area = std::abs(signed_area(rings[i]));
@@ -192,6 +192,7 @@ private:
         double area = 0;                   // m^2
         int around = -1;                   // how many rings surround it; -1 = not known yet, or a room
         std::optional<std::size_t> solid;  // the smallest solid around it
+        std::optional<std::size_t> outer;  // the smallest ring around it
     };
 
     bool is_within(std::size_t inner, std::size_t outer) const {
@@ -209,32 +210,43 @@ private:
             Place const& place = places_[*outer];
             places_[ring].around = place.around + 1;
             places_[ring].solid = is_hole(*outer) ? place.solid : *outer;
+            places_[ring].outer = *outer;
             return true;
         }
         return false;
     }
 
+    // From the smallest up: what surrounds a ring around this one need not be asked.
     void place_among_all(std::size_t ring) {
-        Place place{places_[ring].area, 0, std::nullopt};
-        for (std::size_t const outer : overlapping(tree_, {rings_[ring][0], rings_[ring][0]})) {
-            if (outer == ring || places_[outer].around < 0 || !is_within(ring, outer)) continue;
+        std::vector<std::size_t> larger = overlapping(tree_, {rings_[ring][0], rings_[ring][0]});
+        std::erase_if(larger, [&](std::size_t other) { return other == ring || places_[other].around < 0; });
+        std::stable_sort(larger.begin(), larger.end(),
+                         [&](std::size_t a, std::size_t b) { return places_[a].area < places_[b].area; });
+        auto const mark = static_cast<int>(ring);
+        Place& place = places_[ring];
+        place.around = 0;
+        for (std::size_t const other : larger) {
+            if (surrounds_[other] != mark && !is_within(ring, other)) continue;
             ++place.around;
-            bool const nearer = !place.solid || places_[outer].area < places_[*place.solid].area;
-            if (!is_hole(outer) && nearer) place.solid = outer;
+            if (!place.outer) place.outer = other;
+            if (!place.solid && !is_hole(other)) place.solid = other;
+            for (auto outer = std::optional(other); outer && surrounds_[*outer] != mark; outer = places_[*outer].outer)
+                surrounds_[*outer] = mark;
         }
-        places_[ring] = place;
     }
 
     std::vector<Ring> const& rings_;
     std::vector<geometry::Box> boxes_;
     geometry::BoxTree tree_;
     std::vector<Place> places_;
+    std::vector<int> surrounds_;  // by ring: around which other it is known to be, of those placed among all
 };
 
 // Solids and the holes in them, which bound the earth around them.
 void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::vector<bool> const& room) {
     std::vector<std::size_t> body_of(rings.size());
     Nesting const nesting(rings, room);
+    bodies.reserve(bodies.size() + rings.size());
     for (std::size_t i = 0; i < rings.size(); ++i) {
         if (room[i] || nesting.is_hole(i)) continue;
         body_of[i] = bodies.size();
@@ -285,6 +297,7 @@ std::vector<Body> bodies_of(level::Level const& level) {
 
 std::vector<Vec2> points_along(level::Outline const& outline, double spacing, double flatness) {
     std::vector<Vec2> points;
+    points.reserve(outline.curves.size() + 1);
     for (geometry::Curve const& curve : outline.curves) {
         double const length = geometry::length_of(curve);
         double chord = spacing;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "view/bodies.h"
 #include "view/surface_look.h"
@@ -90,13 +91,14 @@ std::vector<std::pair<std::size_t, std::size_t>> runs_of(Body const& body, IsOfK
     return runs;
 }
 
-// By edge: the look of the terrain that lies there. Empty where all of the level is grass.
+bool is_plain(physics::Terrain const& terrain) {
+    return std::all_of(terrain.pieces.begin(), terrain.pieces.end(),
+                       [](physics::Piece const& piece) { return look_of(piece.material) == SurfaceLook{}; });
+}
+
+// By edge: the look of the terrain that lies there.
 std::vector<SurfaceLook> looks_along(Body const& body, physics::Terrain const& terrain) {
     std::vector<SurfaceLook> looks;
-    bool const plain = std::all_of(terrain.pieces.begin(), terrain.pieces.end(), [](physics::Piece const& piece) {
-        return look_of(piece.material) == SurfaceLook{};
-    });
-    if (plain) return looks;
     constexpr double reach = 0.01;  // m: chords lie so near to what they are chords of
     std::size_t const edges = body.edge.size() - (body.closing == Closing::closed ? 0 : 1);
     for (std::size_t i = 0; i < edges; ++i) {
@@ -170,15 +172,17 @@ void add_surface(Ground& ground, Body const& body, std::pair<std::size_t, std::s
 
 Ground ground_of(level::Level const& level) {
     Ground ground;
-    std::vector<Body> const bodies = bodies_of(level);
-    for (Body const& body : bodies)
-        if (!body.rings.empty()) ground.patches.push_back(patch_of(body.rings, Cover::earth));
+    std::vector<Body> bodies = bodies_of(level);
+    for (Body& body : bodies)
+        if (!body.rings.empty()) ground.patches.push_back(patch_of(std::move(body.rings), Cover::earth));
     for (Body const& body : bodies) {
         add_edge_band(ground, Cover::shade, body, std::min(shade_depth, 0.5 * body.girth));
         add_edge_band(ground, Cover::rim, body, std::min(rim_depth, 0.25 * body.girth));
     }
+    bool const plain = is_plain(level.scene.terrain);  // all of it is grass
     for (Body const& body : bodies) {
-        std::vector<SurfaceLook> const looks = looks_along(body, level.scene.terrain);
+        std::vector<SurfaceLook> const looks =
+            plain ? std::vector<SurfaceLook>{} : looks_along(body, level.scene.terrain);
         auto const look_at = [&](std::size_t edge) { return looks.empty() ? SurfaceLook{} : looks[edge]; };
         auto const is_sunny = [&](std::size_t edge) {
             return look_at(edge) == SurfaceLook{} && -into_at_edge(body, edge).y() > 0.2;

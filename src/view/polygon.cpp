@@ -55,12 +55,20 @@ std::vector<Vec2> left_of(Ring const& points, Closing closing) {
 
 std::vector<Ring> band_along(Ring const& points, std::vector<Vec2> const& into, Closing closing,
                              std::function<double(std::size_t)> const& width) {
-    Ring inner;
-    for (std::size_t i = 0; i < points.size(); ++i) inner.push_back(points[i] + width(i) * into[i]);
-    if (closing == Closing::closed) return {points, inner};
-    Ring whole = points;
-    whole.insert(whole.end(), inner.rbegin(), inner.rend());
-    return {whole};
+    auto const inner = [&](std::size_t i) -> Vec2 { return points[i] + width(i) * into[i]; };
+    std::size_t const count = points.size();
+    std::vector<Ring> rings(closing == Closing::closed ? 2 : 1);
+    Ring& back = rings.back();
+    if (closing == Closing::closed) {
+        rings[0] = points;
+        back.reserve(count);
+        for (std::size_t i = 0; i < count; ++i) back.push_back(inner(i));
+        return rings;
+    }
+    back.reserve(2 * count);
+    back = points;
+    for (std::size_t i = count; i-- > 0;) back.push_back(inner(i));
+    return rings;
 }
 
 }  // namespace view
