@@ -177,11 +177,7 @@ void Elements::read_terrain(Element const& element) {
 
 std::vector<Decoration> Elements::painted(Element const& element, std::vector<Outline> const& outlines,
                                           Style const& style) {
-    auto parts = decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
-    bool const is_filled = std::any_of(parts.begin(), parts.end(), [](Decoration const& part) { return part.fill; });
-    if (is_filled && !same_word(style.fill_rule, "evenodd") && fill_rules_differ(outlines))
-        lines_of_nonzero_fills_.push_back(element.line);
-    return parts;
+    return decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
 }
 
 // Terrain keeps the paint that the drawing gives it. Where that is none, or none that is known, it gets grass and soil

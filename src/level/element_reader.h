@@ -56,7 +56,6 @@ public:
 
     bool is_overfull() const { return pieces_met_ > most_pieces; }  // no terrain is to be made of what was read
     bool met_gradients() const { return paints_.met_gradients(); }
-    std::vector<int> const& lines_of_nonzero_fills() const { return lines_of_nonzero_fills_; }
     int balls_met() const { return balls_met_; }                  // sound or not
     std::vector<int> const& players() const { return players_; }  // balls with the id player
     std::vector<int> const& copied_players() const { return copied_players_; }
@@ -104,7 +103,6 @@ private:
     Paints paints_;
     std::vector<physics::Piece> pieces_;
     std::vector<int> players_, copied_players_;
-    std::vector<int> lines_of_nonzero_fills_;  // of shapes that the even-odd rule fills otherwise
     std::size_t pieces_met_ = 0;
     int balls_met_ = 0, sensor_elements_ = 0;
     bool grass_met_ = false;  // terrain that the drawing does not paint itself

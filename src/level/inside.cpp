@@ -29,18 +29,6 @@ double angle_swept(geometry::Curve const& curve, Vec2 const& point) {
     return sum;
 }
 
-// Of the polygon of its curves' ends and middles.
-double signed_area(Outline const& outline) {
-    Vec2 const origin = geometry::start_of(outline.curves.front());
-    double twice = 0;
-    for (geometry::Curve const& curve : outline.curves) {
-        Vec2 const from = geometry::start_of(curve) - origin, to = geometry::end_of(curve) - origin;
-        Vec2 const middle = point_along(curve, 0.5) - origin;
-        twice += geometry::cross(from, middle) + geometry::cross(middle, to);
-    }
-    return twice / 2;
-}
-
 bool holds(geometry::Box const& box, Vec2 const& point) { return geometry::overlap(box, {point, point}); }
 
 }  // namespace
@@ -58,19 +46,6 @@ geometry::Box box_of(std::span<Outline const> outlines) {
     for (Outline const& outline : outlines)
         for (geometry::Curve const& curve : outline.curves) box = geometry::united(box, geometry::box_of(curve));
     return box;
-}
-
-bool fill_rules_differ(std::span<Outline const> outlines) {
-    constexpr std::size_t most = 16;
-    if (outlines.size() < 2 || outlines.size() > most) return false;
-    for (std::size_t i = 0; i < outlines.size(); ++i) {
-        Vec2 const start = geometry::start_of(outlines[i].curves.front());
-        int const around = winding_round(outlines.first(i), start) + winding_round(outlines.subspan(i + 1), start);
-        // Its own line is between what is around it and one turn more or less.
-        int const within = around + (signed_area(outlines[i]) > 0 ? 1 : -1);
-        if (std::abs(around) > 1 || std::abs(within) > 1) return true;
-    }
-    return false;
 }
 
 int winding_round(std::span<Outline const> outlines, Vec2 const& point) {

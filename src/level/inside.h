@@ -11,10 +11,6 @@ namespace level {
 // has it. The point must not lie on an outline.
 int winding_round(std::span<Outline const> outlines, Vec2 const& point);
 
-// Whether the nonzero rule and the even-odd rule fill outlines differently, as far as the start of each outline tells;
-// false for more than 16 of them, of which nobody sees it.
-bool fill_rules_differ(std::span<Outline const> outlines);
-
 // The point after a share of the curve, from 0 to 1.
 Vec2 point_along(geometry::Curve const& curve, double share);
 

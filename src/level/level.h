@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/fill_rule.h"
 #include "physics/world/scene.h"
 
 namespace level {
@@ -27,6 +28,7 @@ struct Decoration {
     std::optional<std::string> stroke;  // the same
     double stroke_width = 0;            // m
     double opacity = 1;
+    geometry::FillRule fill_rule = geometry::FillRule::even_odd;
 };
 
 // The colours that the drawing gives a ball or a goal, as in Decoration; what it leaves open is the program's to

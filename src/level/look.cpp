@@ -35,9 +35,12 @@ std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Sty
     if (!same_word(style.visibility, "visible") || outlines.empty()) return parts;
     auto const fill = paints.paint_in(style.fill.empty() ? "black" : style.fill, style.color);
     auto const stroke = paints.paint_in(style.stroke.empty() ? "none" : style.stroke, style.color);
-    if (fill)
-        parts.push_back(
-            {outlines, fill->colour, std::nullopt, 0, style.opacity * fill->opacity * share_in(style.fill_opacity, 1)});
+    if (fill) {
+        bool const is_even_odd = same_word(style.fill_rule, "evenodd");
+        parts.push_back({outlines, fill->colour, std::nullopt, 0,
+                         style.opacity * fill->opacity * share_in(style.fill_opacity, 1),
+                         is_even_odd ? geometry::FillRule::even_odd : geometry::FillRule::nonzero});
+    }
     double const width = stroke ? width_in(style.stroke_width) * metres_per_unit : 0;
     if (width > 0)
         parts.push_back({outlines, std::nullopt, stroke->colour, width,

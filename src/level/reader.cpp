@@ -94,10 +94,6 @@ void remark_on_strokes(Reading& reading) {
 void remark_on_look(Reading& reading, Document const& document, Walk const& walk) {
     if (walk.elements().met_gradients())
         remark(reading.level, document.line_of(document.root()), "svg: gradients are shown as their mean colour");
-    std::vector<int> const& nonzero = walk.elements().lines_of_nonzero_fills();
-    if (!nonzero.empty())
-        remark(reading.level, nonzero[0],
-               "fill-rule nonzero is drawn as evenodd, with holes where outlines overlap" + and_more(nonzero.size()));
     for (Undrawn const& undrawn : walk.undrawn()) {
         remark(reading.level, document.line_of(undrawn.first),
                std::string(Document::tag_of(undrawn.first)).append(": ").append(undrawn.property) + " is not drawn" +

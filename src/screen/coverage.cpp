@@ -8,6 +8,7 @@
 namespace screen {
 namespace {
 
+using geometry::FillRule;
 using geometry::Vec2;
 
 // What the edges inside one pixel add to a sum that runs along the row from the left.
@@ -78,15 +79,19 @@ private:
     std::vector<std::vector<Cell>> rows_;
 };
 
-std::uint8_t even_odd(double winding) {
+std::uint8_t filled(double winding, FillRule rule) {
     double value = std::abs(winding);
-    value -= 2 * std::floor(value / 2);
-    if (value > 1) value = 2 - value;
+    if (rule == FillRule::nonzero) {
+        value = std::min(value, 1.0);
+    } else {
+        value -= 2 * std::floor(value / 2);
+        if (value > 1) value = 2 - value;
+    }
     return static_cast<std::uint8_t>(value * 255 + 0.5);
 }
 
 // Fills the pixels of one row from the box's left edge.
-void fill_row(std::vector<Cell>& cells, std::uint8_t* values, Box const& box) {
+void fill_row(std::vector<Cell>& cells, FillRule rule, std::uint8_t* values, Box const& box) {
     std::sort(cells.begin(), cells.end(), [](Cell const& a, Cell const& b) { return a.column < b.column; });
     double sum = 0;
     for (std::size_t i = 0; i < cells.size();) {
@@ -96,9 +101,9 @@ void fill_row(std::vector<Cell>& cells, std::uint8_t* values, Box const& box) {
             own += cells[i].inside;
             sum += cells[i].beyond;
         }
-        values[column - box.left] = even_odd(own);
+        values[column - box.left] = filled(own, rule);
         int const next = i < cells.size() ? cells[i].column : box.right;
-        if (auto const value = even_odd(sum))
+        if (auto const value = filled(sum, rule))
             std::fill(values + column + 1 - box.left, values + next - box.left, value);
     }
 }
@@ -170,7 +175,7 @@ void add_tiles(Coverage& coverage, std::uint8_t const* row, Box const& box, int 
 
 }  // namespace
 
-Coverage even_odd_coverage(std::vector<std::vector<Vec2>> const& rings, int frame_width, int frame_height) {
+Coverage coverage_of(std::vector<std::vector<Vec2>> const& rings, FillRule rule, int frame_width, int frame_height) {
     Box const box = reach(rings, frame_width, frame_height);
     if (box.left >= box.right || box.top >= box.bottom) return {};
     Rows rows(box.right, box.top, box.bottom);
@@ -184,7 +189,7 @@ Coverage even_odd_coverage(std::vector<std::vector<Vec2>> const& rings, int fram
     for (int top = box.top; top < box.bottom; top += tile_side) {
         std::fill(values.begin(), values.end(), std::uint8_t{0});
         for (int row = 0; row < tile_side; ++row)
-            fill_row(rows.row(top + row), values.data() + static_cast<std::size_t>(row) * width, box);
+            fill_row(rows.row(top + row), rule, values.data() + static_cast<std::size_t>(row) * width, box);
         add_tiles(coverage, values.data(), box, top);
     }
     return coverage;

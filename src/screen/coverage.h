@@ -1,10 +1,11 @@
-// How much of each pixel lies inside closed polylines: exact areas, even-odd, no GL.
+// How much of each pixel lies inside closed polylines: exact areas, no GL.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "geometry/fill_rule.h"
 #include "geometry/vector.h"
 
 namespace screen {
@@ -29,6 +30,7 @@ struct Coverage {
 };
 
 // Of the pixels of a frame of the given size. Where edges cross inside one pixel its value is approximate.
-Coverage even_odd_coverage(std::vector<std::vector<geometry::Vec2>> const& rings, int frame_width, int frame_height);
+Coverage coverage_of(std::vector<std::vector<geometry::Vec2>> const& rings, geometry::FillRule rule, int frame_width,
+                     int frame_height);
 
 }  // namespace screen

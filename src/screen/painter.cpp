@@ -142,7 +142,7 @@ void Painter::Body::paint_shapes(std::vector<view::Shape> const& shapes) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         auto const* area = std::get_if<view::Area>(&shapes[i]);
         if (!area) continue;
-        coverages[i] = even_odd_coverage(area->rings, width(), height());
+        coverages[i] = coverage_of(area->rings, area->rule, width(), height());
         if (is_opaque(area->paint))
             for (Box const& box : coverages[i].inside) occlusion.cover(box, static_cast<int>(i));
     }

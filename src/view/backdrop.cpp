@@ -177,6 +177,7 @@ void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera 
 void add_decoration(std::vector<Shape>& shapes, level::Decoration const& decoration, Camera const& camera) {
     if (decoration.fill) {
         Area area;
+        area.rule = decoration.fill_rule;
         area.paint.top = area.paint.bottom =
             faded(drawn_colour(*decoration.fill), static_cast<float>(decoration.opacity));
         for (level::Outline const& outline : decoration.outlines) {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/fill_rule.h"
 #include "geometry/vector.h"
 
 namespace view {
@@ -57,10 +58,11 @@ struct Paint {
     Vec2 down = Vec2::UnitY();         // unit, on the screen: the world's way down
 };
 
-// Rings are closed polylines, filled by the even-odd rule.
+// Rings are closed polylines.
 struct Area {
     std::vector<std::vector<Vec2>> rings;
     Paint paint;
+    geometry::FillRule rule = geometry::FillRule::even_odd;
 };
 
 // The colours of a shell's two halves.

@@ -110,6 +110,22 @@ class Render(ProgramTest):
         self.assertGreater(changed, 100)
         self.assertLess(changed, len(first) / 2)  # the ball has moved, the level stands still
 
+    def test_fills_follow_the_rule_that_the_drawing_gives(self):
+        # A square of 6 m with one of 2 m in its middle, at 8 pixels to the metre; "" is nonzero, as in browsers.
+        outer, same_way, other_way = "M5 1.5H11V7.5H5z", "M7 3.5H9V5.5H7z", "M7 3.5V5.5H9V3.5z"
+        earth = b"\xff\x00\x00"
+        for inner, rule, filled in [(same_way, "", True), (other_way, "", False), (same_way, "nonzero", True),
+                                    (same_way, "evenodd", False), (other_way, "evenodd", False)]:
+            attribute = f'fill-rule="{rule}"' if rule else ""
+            level = self.file("fill.svg", f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 9">
+                <circle class="ball" cx="2" cy="5" r="0.5"/>
+                <path class="terrain" fill="red" {attribute} d="{outer}{inner}"/></svg>""")
+            raw = self.done("render", level, "-o", "-", *SIZE, "--to", "0.01")
+            pixels = [raw[i:i + 3] for i in range(0, len(raw), 3)]
+            at = lambda x, y: pixels[128 * int(8 * y) + int(8 * x)]
+            self.assertEqual(at(6, 4.5), earth)
+            self.assertEqual(at(8, 4.5) == earth, filled, (inner, rule))
+
     def test_overlays_are_drawn(self):
         words = ["render", DEMO, "-o", "-", *SIZE, "--from", "5", "--to", "5.1", "--fps", "10"]
         pictures = {self.done(*words, *more) for more in

@@ -4,8 +4,9 @@
 
 #include "screen/coverage.h"
 
+using geometry::FillRule;
 using geometry::Vec2;
-using screen::even_odd_coverage;
+using screen::coverage_of;
 using Rings = std::vector<std::vector<Vec2>>;
 
 namespace {
@@ -26,8 +27,8 @@ double value_at(screen::Coverage const& coverage, int x, int y) {
     return value;
 }
 
-double total(Rings const& rings, int width, int height) {
-    auto const coverage = even_odd_coverage(rings, width, height);
+double total(Rings const& rings, int width, int height, FillRule rule = FillRule::even_odd) {
+    auto const coverage = coverage_of(rings, rule, width, height);
     double sum = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) sum += value_at(coverage, x, y);
@@ -38,7 +39,8 @@ double total(Rings const& rings, int width, int height) {
 
 TEST_CASE("a half-plane covers each pixel by the exact area") {
     // Below the line y = 10.3 + x / 4, which leaves no pixel of these columns through its top or bottom.
-    auto const coverage = even_odd_coverage({{{-50, 10.3 - 12.5}, {100, 10.3 + 25}, {100, 90}, {-50, 90}}}, 60, 40);
+    auto const coverage =
+        coverage_of({{{-50, 10.3 - 12.5}, {100, 10.3 + 25}, {100, 90}, {-50, 90}}}, FillRule::even_odd, 60, 40);
     for (int x = 0; x < 60; ++x)
         for (int y = 0; y < 40; ++y) {
             double const left = 10.3 + x / 4.0, right = left + 0.25;
@@ -54,7 +56,7 @@ TEST_CASE("a triangle's coverage adds up to its area, in whatever direction it i
     double const area = 0.5 * std::abs((37.7 - 3.3) * (29.9 - 2.1) - (12.4 - 3.3) * (9.2 - 2.1));
     // Each pixel of the edge, a hundred or so, is rounded by up to half a level.
     CHECK(std::abs(total(one, 40, 32) - area) < 0.1);
-    auto const a = even_odd_coverage(one, 40, 32), b = even_odd_coverage(other, 40, 32);
+    auto const a = coverage_of(one, FillRule::even_odd, 40, 32), b = coverage_of(other, FillRule::even_odd, 40, 32);
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 40; ++x) CHECK(value_at(a, x, y) == value_at(b, x, y));
 }
@@ -75,9 +77,21 @@ TEST_CASE("two rings over each other leave a hole, wherever they turn") {
     CHECK(total({outer, outer}, 30, 30) == 0);
 }
 
+TEST_CASE("by the nonzero rule a ring within a ring is a hole only where it goes the other way") {
+    Rings const one{{{2, 2}, {30, 2}, {30, 20}, {2, 20}}};
+    std::vector<Vec2> const inner{{5.5, 4}, {20.5, 4}, {20.5, 10.25}, {5.5, 10.25}};
+    Rings const same{one[0], inner}, other{one[0], {inner.rbegin(), inner.rend()}};
+    double const whole = 28 * 18, hole = 15 * 6.25;
+    CHECK(std::abs(total(one, 40, 32, FillRule::nonzero) - whole) < 0.1);
+    CHECK(std::abs(total(same, 40, 32, FillRule::nonzero) - whole) < 0.1);
+    CHECK(std::abs(total(other, 40, 32, FillRule::nonzero) - (whole - hole)) < 0.1);
+    CHECK(std::abs(total(same, 40, 32, FillRule::even_odd) - (whole - hole)) < 0.1);
+    CHECK(std::abs(total(other, 40, 32, FillRule::even_odd) - (whole - hole)) < 0.1);
+}
+
 TEST_CASE("tiles are painted once each") {
     Rings const rings{{{-5, 30}, {90, 3}, {210, 60}, {120, 190}, {20, 150}}, {{60, 60}, {120, 60}, {90, 110}}};
-    auto const coverage = even_odd_coverage(rings, 200, 160);
+    auto const coverage = coverage_of(rings, FillRule::even_odd, 200, 160);
     CHECK_FALSE(coverage.inside.empty());
     for (int y = 0; y < 160; ++y)
         for (int x = 0; x < 200; ++x) CHECK(value_at(coverage, x, y) <= 1);
