@@ -1,6 +1,5 @@
 #include "level/inside.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/elementary.h"
