@@ -296,14 +296,19 @@ std::vector<Body> bodies_of(level::Level const& level) {
 }
 
 std::vector<Vec2> points_along(level::Outline const& outline, double spacing, double flatness) {
-    std::vector<Vec2> points;
-    points.reserve(outline.curves.size() + 1);
-    for (geometry::Curve const& curve : outline.curves) {
-        double const length = geometry::length_of(curve);
+    auto const pieces_of = [&](geometry::Curve const& curve) {
         double chord = spacing;
+        if (auto const* arc = std::get_if<geometry::Arc>(&curve))
+            chord = std::min(chord, longest_chord(*arc, flatness));
+        return static_cast<int>(std::clamp(std::ceil(geometry::length_of(curve) / chord), 1.0, 20000.0));
+    };
+    std::size_t count = outline.closed ? 0 : 1;
+    for (geometry::Curve const& curve : outline.curves) count += static_cast<std::size_t>(pieces_of(curve));
+    std::vector<Vec2> points;
+    points.reserve(count);
+    for (geometry::Curve const& curve : outline.curves) {
         auto const* arc = std::get_if<geometry::Arc>(&curve);
-        if (arc) chord = std::min(chord, longest_chord(*arc, flatness));
-        int const pieces = static_cast<int>(std::clamp(std::ceil(length / chord), 1.0, 20000.0));
+        int const pieces = pieces_of(curve);
         for (int i = 0; i < pieces; ++i) {
             double const share = static_cast<double>(i) / pieces;
             if (arc) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "view/bodies.h"
@@ -43,23 +44,25 @@ void add_band(Ground& ground, Cover cover, Ring const& points, std::vector<Vec2>
     std::size_t const overlap = cover == Cover::shade ? 0 : 1;
     for (std::size_t first = 0; first + 1 < points.size(); first += band_piece) {
         std::size_t const end = std::min(first + band_piece + overlap + 1, points.size());
-        Ring const piece(points.begin() + static_cast<std::ptrdiff_t>(first),
-                         points.begin() + static_cast<std::ptrdiff_t>(end));
-        std::vector<Vec2> const ways(into.begin() + static_cast<std::ptrdiff_t>(first),
-                                     into.begin() + static_cast<std::ptrdiff_t>(end));
+        std::span const piece = std::span(points).subspan(first, end - first);
+        std::span const ways = std::span(into).subspan(first, end - first);
         auto const shifted = [&](std::size_t i) { return width(first + i); };
         ground.patches.push_back(patch_of(band_along(piece, ways, Closing::open, shifted), cover));
     }
 }
 
-void add_edge_band(Ground& ground, Cover cover, Body const& body, double width) {
-    Ring points = body.edge;
-    std::vector<Vec2> into = body.into;
-    if (body.closing == Closing::closed) {
-        points.push_back(body.edge.front());
-        into.push_back(body.into.front());
+// Along all of the edge: shade, and the rim over it.
+void add_edge_bands(Ground& ground, Body const& body) {
+    std::size_t const count = body.edge.size() + (body.closing == Closing::closed ? 1 : 0);
+    Ring points(count);
+    std::vector<Vec2> into(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        points[i] = body.edge[i % body.edge.size()];
+        into[i] = body.into[i % body.edge.size()];
     }
-    add_band(ground, cover, points, into, [width](std::size_t) { return width; });
+    double const shade = std::min(shade_depth, 0.5 * body.girth), rim = std::min(rim_depth, 0.25 * body.girth);
+    add_band(ground, Cover::shade, points, into, [shade](std::size_t) { return shade; });
+    add_band(ground, Cover::rim, points, into, [rim](std::size_t) { return rim; });
 }
 
 // Edge i runs from point i to the next; its unit normal into the earth.
@@ -173,12 +176,11 @@ void add_surface(Ground& ground, Body const& body, std::pair<std::size_t, std::s
 Ground ground_of(level::Level const& level) {
     Ground ground;
     std::vector<Body> bodies = bodies_of(level);
+    constexpr std::size_t usual_patches = 6;  // of a body
+    ground.patches.reserve(usual_patches * bodies.size());
     for (Body& body : bodies)
         if (!body.rings.empty()) ground.patches.push_back(patch_of(std::move(body.rings), Cover::earth));
-    for (Body const& body : bodies) {
-        add_edge_band(ground, Cover::shade, body, std::min(shade_depth, 0.5 * body.girth));
-        add_edge_band(ground, Cover::rim, body, std::min(rim_depth, 0.25 * body.girth));
-    }
+    for (Body const& body : bodies) add_edge_bands(ground, body);
     bool const plain = is_plain(level.scene.terrain);  // all of it is grass
     for (Body const& body : bodies) {
         std::vector<SurfaceLook> const looks =

@@ -53,20 +53,20 @@ std::vector<Vec2> left_of(Ring const& points, Closing closing) {
     return left;
 }
 
-std::vector<Ring> band_along(Ring const& points, std::vector<Vec2> const& into, Closing closing,
+std::vector<Ring> band_along(std::span<Vec2 const> points, std::span<Vec2 const> into, Closing closing,
                              std::function<double(std::size_t)> const& width) {
     auto const inner = [&](std::size_t i) -> Vec2 { return points[i] + width(i) * into[i]; };
     std::size_t const count = points.size();
     std::vector<Ring> rings(closing == Closing::closed ? 2 : 1);
     Ring& back = rings.back();
     if (closing == Closing::closed) {
-        rings[0] = points;
+        rings[0].assign(points.begin(), points.end());
         back.reserve(count);
         for (std::size_t i = 0; i < count; ++i) back.push_back(inner(i));
         return rings;
     }
     back.reserve(2 * count);
-    back = points;
+    back.assign(points.begin(), points.end());
     for (std::size_t i = count; i-- > 0;) back.push_back(inner(i));
     return rings;
 }

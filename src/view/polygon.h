@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "geometry/curve.h"
@@ -23,7 +24,7 @@ enum class Closing { open, closed };
 std::vector<Vec2> left_of(Ring const& points, Closing closing);
 
 // The band between the points and the same points moved by width(i) along `into[i]`.
-std::vector<Ring> band_along(Ring const& points, std::vector<Vec2> const& into, Closing closing,
+std::vector<Ring> band_along(std::span<Vec2 const> points, std::span<Vec2 const> into, Closing closing,
                              std::function<double(std::size_t)> const& width);
 
 }  // namespace view
