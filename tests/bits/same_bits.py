@@ -110,9 +110,9 @@ def build(folder, flags):
     compiler, options = flags.split(" ", 1)
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "build.log", "w+") as log:
-        for command in [["cmake", "-S", HERE, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_UNITY_BUILD=ON",
-                         "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0", f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={options}"],
-                        ["cmake", "--build", folder, "--parallel", "1"]]:
+        for command in [["cmake", "-S", HERE, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+                         f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={options}"],
+                        ["cmake", "--build", folder]]:
             if subprocess.run(command, stdout=log, stderr=subprocess.STDOUT).returncode != 0:
                 log.seek(0)
                 sys.exit(f"{flags}: could not build\n{log.read()}")

@@ -169,7 +169,7 @@ std::vector<std::vector<Vec2>> points_within(std::vector<Piece> const& whole, ge
     return within;
 }
 
-std::vector<Piece> parted(std::vector<Piece> const& whole, std::vector<std::vector<Vec2>> const& within) {
+std::vector<Piece> parted_at(std::vector<Piece> const& whole, std::vector<std::vector<Vec2>> const& within) {
     std::vector<Piece> pieces;
     pieces.reserve(whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -294,7 +294,7 @@ MergedPieces merged(std::vector<Piece> drawn) {
     all.tree = tree_of(joined.pieces);
     std::vector<std::vector<Vec2>> const within = points_within(joined.pieces, all.tree, joined.places.points);
     if (!within.empty()) {
-        joined.pieces = parted(joined.pieces, within);
+        joined.pieces = parted_at(joined.pieces, within);
         joined.places = places_of(ends_of(joined.pieces));
     }
     all.pieces = std::move(joined.pieces);
