@@ -102,7 +102,8 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
                  Lens const& lens) {
     Camera camera;
     camera.size = size;
-    camera.scale = natural_scale(level, size) * lens.zoom;
+    bool const is_calm = lens.motion == Motion::reduced && !is_shown_whole(level);
+    camera.scale = natural_scale(level, size) * lens.zoom * (is_calm ? calm_zoom : 1);
     double const radius = level.scene.balls[static_cast<std::size_t>(level.player)].radius;
     Vec2 const ball = followed(level, history, time);
     Vec2 const view = size / camera.scale;
@@ -112,7 +113,7 @@ Camera camera_at(level::Level const& level, physics::History const& history, dou
     }
     PathMean const mean = mean_of_path(level, history, time);
     // Up and down it looks where the ball is: a bouncing one would rock the picture.
-    Vec2 const lead(spans[0].mean_age() + ahead, spans[1].mean_age());
+    Vec2 const lead(spans[0].mean_age() + (lens.motion == Motion::reduced ? 0 : ahead), spans[1].mean_age());
     for (int i = 0; i < 2; ++i) {
         double const lead_length = softly_limited(mean.velocity[i] * lead[i], 0, 0.3 * view[i]);
         double const looked_at = mean.position[i] + lead_length + lens.pan[i];

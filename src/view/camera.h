@@ -28,11 +28,17 @@ double turn_of(Camera const& camera);
 // A box around what of the world is seen, m.
 geometry::Box sight_of(Camera const& camera);
 
-// What the player has turned the wheel to; the default shows what pictures without a window show.
+// Reduced: nothing moves but what the game is about.
+enum class Motion { full, reduced };
+
+// What the player has turned the wheel to; the default shows what pictures without a window show. Where motion is
+// reduced a camera that follows does so from farther away, and does not look ahead.
 struct Lens {
     double zoom = 1;
     Vec2 pan = Vec2::Zero();  // m, added to where the camera would look
+    Motion motion = Motion::full;
 };
+inline constexpr double calm_zoom = 0.8;
 inline constexpr double least_zoom = 0.5, greatest_zoom = 8;
 
 // How much of the past, in seconds, a history must still know for camera_at and moment_at to answer.

@@ -235,3 +235,20 @@ TEST_CASE("the wheel keeps the point under the pointer") {
     for (int i = 0; i < 5; ++i) lens = view::zoomed(lens, view::camera_at(level, history, 0, size, lens), pointer, -1);
     CHECK(geometry::length(view::camera_at(level, history, 0, size, lens).centre - before.centre) < 1e-6);
 }
+
+TEST_CASE(
+    "where motion is reduced a camera that follows is a quarter farther away, and one that shows all is the same") {
+    view::Lens calm;
+    calm.motion = view::Motion::reduced;
+    Vec2 const size(1280, 720);
+    physics::State start;
+    start.position = Vec2(20, 1.5);
+    start.velocity = Vec2(6, 0);
+    auto const history = view_test::steady_history(start);
+    level::Level const large = view_test::floor_level(60, 20), small = view_test::floor_level(16, 9);
+    view::Camera const usual = view::camera_at(large, history, 3, size);
+    view::Camera const far = view::camera_at(large, history, 3, size, calm);
+    CHECK(far.scale == doctest::Approx(usual.scale * 0.8));
+    CHECK(far.centre.x() < usual.centre.x());  // it looks less far ahead
+    CHECK(view::camera_at(small, history, 0.1, size, calm).scale == view::camera_at(small, history, 0.1, size).scale);
+}
