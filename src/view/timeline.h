@@ -9,9 +9,11 @@ namespace view {
 
 struct Timeline {
     double from = 0, shown = 0, to = 0;  // s: what is kept, what is looked at, the present
+    enum class Sign { dot, flag, cross };
     struct Mark {
         double time = 0;  // s
         Colour colour;
+        Sign sign = Sign::dot;
     };
     std::vector<Mark> marks;  // what happened: bananas, the goal
     struct Span {

@@ -33,3 +33,21 @@ TEST_CASE("the knob of the timeline stands where the shown time lies in what is 
     CHECK(knob_of({10, 30, 30, {}, {}}) == doctest::Approx(1264));
     CHECK(knob_of({0, 0, 0, {}, {}}) == doctest::Approx(16));
 }
+
+TEST_CASE("marks of the timeline have shapes of their own, whatever their colours") {
+    auto const counts = [](view::Timeline::Sign sign) {
+        view::Timeline timeline{0, 5, 10, {{3, {}, sign}}, {}};
+        std::array<int, 3> kinds{};
+        for (view::Shape const& shape : view::timeline_shapes(timeline, {1280, 720})) {
+            kinds[0] += std::holds_alternative<view::Disc>(shape) ? 1 : 0;
+            kinds[1] += std::holds_alternative<view::Stroke>(shape) ? 1 : 0;
+            kinds[2] += std::holds_alternative<view::Area>(shape) ? 1 : 0;
+        }
+        return kinds;
+    };
+    auto const dot = counts(view::Timeline::Sign::dot), flag = counts(view::Timeline::Sign::flag),
+               cross = counts(view::Timeline::Sign::cross);
+    CHECK(dot != flag);
+    CHECK(dot != cross);
+    CHECK(flag != cross);
+}
