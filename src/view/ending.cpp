@@ -11,7 +11,14 @@ namespace view {
 
 namespace {
 
+using game::Text;
+using game::words;
+
 constexpr double card_rise = 0.25;  // s: a card opens over this time
+// Where motion is reduced a card is whole at once.
+double age_of(double age, Motion motion) { return motion == Motion::full ? age : std::max(age, card_rise); }
+
+constexpr double bold_share = 1.2;  // of the width of regular letters
 
 // Pieces of paper whose way through the air depends on the time since the goal alone.
 void add_confetti(std::vector<Shape>& shapes, double age, Vec2 const& size) {
@@ -58,7 +65,8 @@ void add_card(std::vector<Shape>& shapes, Card const& card) {
 
 void add_headline(std::vector<Shape>& shapes, Card const& card, std::string const& text, Colour const& paint) {
     double const swell = 1 + 0.25 * std::sin(3.14159265 * card.open) * (1 - card.open);
-    double const height = 58 * card.unit * swell * (0.6 + 0.4 * card.open);
+    double const room = (card.width - 40 * card.unit) / std::max(bold_share * text_width(text), 1e-9);
+    double const height = std::min(58 * card.unit, room) * swell * (0.6 + 0.4 * card.open);
     Vec2 const at(card.middle(), card.corner.y() + 62 * card.unit);
     shapes.emplace_back(Label{at, height, text, faded(paint, card.presence()), Anchor::Centre, Weight::bold});
 }
@@ -72,16 +80,16 @@ void add_line(std::vector<Shape>& shapes, Card const& card, double down, std::st
 
 struct Metal {
     Colour face, rim;
-    char const* name;
+    Text name;
 };
 Metal metal_of(game::Medal medal) {
     switch (medal) {
         case game::Medal::gold:
-            return {palette::gold, palette::gold_deep, "Gold"};
+            return {palette::gold, palette::gold_deep, Text::gold};
         case game::Medal::silver:
-            return {colour(0xdfe6ec), colour(0x8b99a6), "Silver"};
+            return {colour(0xdfe6ec), colour(0x8b99a6), Text::silver};
         default:
-            return {colour(0xd9935a), colour(0x99572a), "Bronze"};
+            return {colour(0xd9935a), colour(0x99572a), Text::bronze};
     }
 }
 
@@ -100,25 +108,31 @@ void add_tick(std::vector<Shape>& shapes, Vec2 const& at, double size, game::Met
     }
 }
 
-std::string counted(int count, std::string const& one, std::string const& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
+std::string counted(int count, Text one, Text many, game::Language language) {
+    return words(count == 1 ? one : many, language, {std::to_string(count)});
 }
 
 // What was done and, where the level asks for something, what it asks for.
-void add_score(std::vector<Shape>& shapes, Card const& card, level::Level const& level, game::Status const& status) {
+void add_score(std::vector<Shape>& shapes, Card const& card, level::Level const& level, game::Status const& status,
+               game::Language language) {
     game::Marks const marks = game::marks_of(level, status);
     struct Item {
         std::string value, asked;
         game::Met met;
     };
     std::vector<Item> items;
-    items.push_back({written(*status.goal_time, 2) + " s",
-                     level.pars.time ? "par " + written(*level.pars.time, 1) + " s" : std::string(), marks.time});
+    auto const par = [&](std::string const& value) { return words(Text::par, language, {value}); };
+    auto const seconds = [&](double value, int digits) {
+        return words(Text::seconds, language, {written(value, digits)});
+    };
+    items.push_back({seconds(*status.goal_time, 2), level.pars.time ? par(seconds(*level.pars.time, 1)) : std::string(),
+                     marks.time});
     if (level.drag_reach > 0)
-        items.push_back({counted(status.pulls, "pull", "pulls"),
-                         level.pars.pulls ? "par " + std::to_string(*level.pars.pulls) : std::string(), marks.pulls});
+        items.push_back({counted(status.pulls, Text::pull, Text::pulls, language),
+                         level.pars.pulls ? par(std::to_string(*level.pars.pulls)) : std::string(), marks.pulls});
     if (int const bananas = game::bananas_in(level); bananas > 0)
-        items.push_back({counted(status.bananas, "banana", "bananas"), "of " + std::to_string(bananas), marks.bananas});
+        items.push_back({counted(status.bananas, Text::banana, Text::bananas, language),
+                         words(Text::of_all, language, {std::to_string(bananas)}), marks.bananas});
     double const column = (card.width - 20 * card.unit) / static_cast<double>(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
         Item const& item = items[i];
@@ -136,53 +150,90 @@ void add_score(std::vector<Shape>& shapes, Card const& card, level::Level const&
 }
 
 // What the next medal takes: gold all that is asked for, silver all but one.
-std::string next_step(level::Level const& level, game::Status const& status, game::Medal medal) {
+std::string next_step(level::Level const& level, game::Status const& status, game::Medal medal,
+                      game::Language language) {
     if (medal == game::Medal::none || medal == game::Medal::gold) return {};
     game::Marks const marks = game::marks_of(level, status);
+    auto const at_most = [&](std::string const& value) { return words(Text::at_most, language, {value}); };
     std::vector<std::string> missed;
-    if (marks.time == game::Met::no) missed.push_back("at most " + written(*level.pars.time, 1) + " s");
-    if (marks.pulls == game::Met::no) missed.push_back("at most " + counted(*level.pars.pulls, "pull", "pulls"));
-    if (marks.bananas == game::Met::no) missed.push_back("all bananas");
-    std::string text = medal == game::Medal::silver ? "For gold: " : "For silver: ";
-    if (missed.size() == 3) return text + "two of " + missed[0] + ", " + missed[1] + ", " + missed[2];
-    for (std::size_t i = 0; i < missed.size(); ++i) text += (i == 0 ? "" : " or ") + missed[i];
-    return text;
+    if (marks.time == game::Met::no)
+        missed.push_back(at_most(words(Text::seconds, language, {written(*level.pars.time, 1)})));
+    if (marks.pulls == game::Met::no)
+        missed.push_back(at_most(counted(*level.pars.pulls, Text::pull, Text::pulls, language)));
+    if (marks.bananas == game::Met::no) missed.push_back(words(Text::all_bananas, language));
+    std::string way = missed.front();
+    if (missed.size() == 2) way = words(Text::either, language, {missed[0], missed[1]});
+    if (missed.size() == 3) way = words(Text::two_of, language, {missed[0], missed[1], missed[2]});
+    return words(medal == game::Medal::silver ? Text::for_gold : Text::for_silver, language, {way});
+}
+
+struct Button {
+    Vec2 corner, extent;  // pixels
+};
+
+// The card after the goal, as it is at this moment: its lines, and where its button is.
+struct GoalCard {
+    Card card;
+    game::Medal medal = game::Medal::none;
+    std::vector<std::string> lines;
+    std::optional<Button> film;
+};
+
+GoalCard goal_card(level::Level const& level, Moment const& moment, Vec2 const& size, EndingNote const& note) {
+    GoalCard goal;
+    game::Status const& status = moment.status;
+    double const goal_time = *status.goal_time;
+    goal.medal = game::medal_for(level, status);
+    if (std::string const step = next_step(level, status, goal.medal, note.language); !step.empty())
+        goal.lines.push_back(step);
+    if (note.best) {
+        bool const is_best = goal_time < *note.best;
+        goal.lines.push_back(words(is_best ? Text::new_best : Text::best, note.language, {written(*note.best, 2)}));
+    }
+    if (!note.hint.empty()) goal.lines.push_back(note.hint);
+    double const lines_end = 160 + 30 * static_cast<double>(goal.lines.size());
+    goal.card =
+        card_for(age_of(moment.time - goal_time, note.motion), 540, lines_end + (note.film.empty() ? 0 : 48), size);
+    if (note.film.empty()) return goal;
+    double const unit = goal.card.unit;
+    Vec2 const extent = Vec2(text_width(note.film) * 18 + 44, 36) * unit;
+    goal.film = Button{{goal.card.middle() - extent.x() / 2, goal.card.corner.y() + (lines_end - 4) * unit}, extent};
+    return goal;
 }
 
 void add_goal_card(std::vector<Shape>& shapes, level::Level const& level, Moment const& moment, Vec2 const& size,
                    EndingNote const& note) {
-    game::Status const& status = moment.status;
-    double const goal_time = *status.goal_time;
-    game::Medal const medal = game::medal_for(level, status);
-    std::vector<std::string> lines;
-    if (std::string const step = next_step(level, status, medal); !step.empty()) lines.push_back(step);
-    if (note.best) {
-        bool const is_best = goal_time < *note.best;
-        lines.push_back((is_best ? "A new best; it was " : "Best: ") + written(*note.best, 2) + " s");
-    }
-    if (!note.hint.empty()) lines.push_back(note.hint);
-    double const height = 160 + 30 * static_cast<double>(lines.size());
-    Card const card = card_for(moment.time - goal_time, 540, height, size);
+    GoalCard const goal = goal_card(level, moment, size, note);
+    Card const& card = goal.card;
     add_card(shapes, card);
-    std::string const headline = medal == game::Medal::none ? "Goal!" : std::string(metal_of(medal).name) + "!";
+    std::string const headline =
+        words(goal.medal == game::Medal::none ? Text::goal : metal_of(goal.medal).name, note.language);
     add_headline(shapes, card, headline, palette::gold_deep);
-    if (medal != game::Medal::none)
+    if (goal.medal != game::Medal::none)
         for (double const side : {-1.0, 1.0}) {
             Vec2 const at(card.middle() + side * 190 * card.unit, card.corner.y() + 40 * card.unit);
-            for (Shape& shape : medal_shapes(at, 25 * card.unit, medal, card.presence()))
+            for (Shape& shape : medal_shapes(at, 25 * card.unit, goal.medal, card.presence()))
                 shapes.emplace_back(std::move(shape));
         }
-    add_score(shapes, card, level, status);
+    add_score(shapes, card, level, moment.status, note.language);
     double down = 170;
-    for (std::string const& line : lines) {
+    for (std::string const& line : goal.lines) {
         add_line(shapes, card, down, line);
         down += 30;
     }
+    if (!goal.film) return;
+    auto const& [corner, extent] = *goal.film;
+    double const unit = card.unit;
+    shapes.emplace_back(
+        Panel{corner + Vec2(0, 3 * unit), extent, extent.y() / 2, faded(palette::gold_deep, card.presence())});
+    shapes.emplace_back(Panel{corner, extent, extent.y() / 2, faded(palette::gold, card.presence())});
+    shapes.emplace_back(Label{corner + Vec2(extent.x() / 2, 24 * unit), 18 * unit, note.film,
+                              faded(palette::ink, card.presence()), Anchor::Centre});
 }
 
 void add_message(std::vector<Shape>& shapes, std::string const& headline, double age, Vec2 const& size,
                  EndingNote const& note) {
-    Card const card = card_for(age, 480, note.hint.empty() ? 90 : 125, size);
+    Card const card = card_for(age_of(age, note.motion), 480, note.hint.empty() ? 90 : 125, size);
     add_card(shapes, card);
     add_headline(shapes, card, headline, palette::red);
     if (!note.hint.empty()) add_line(shapes, card, 103, note.hint);
@@ -212,17 +263,26 @@ std::vector<Shape> medal_shapes(Vec2 const& at, double radius, game::Medal medal
     return shapes;
 }
 
+bool is_on_film_button(level::Level const& level, Moment const& moment, Vec2 const& pixel, Vec2 const& size,
+                       EndingNote const& note) {
+    if (!moment.status.goal_time) return false;
+    auto const button = goal_card(level, moment, size, note).film;
+    if (!button) return false;
+    Vec2 const inside = pixel - button->corner;
+    return inside.x() >= 0 && inside.y() >= 0 && inside.x() < button->extent.x() && inside.y() < button->extent.y();
+}
+
 std::vector<Shape> ending_shapes(level::Level const& level, Moment const& moment, Vec2 const& size,
                                  EndingNote const& note) {
     std::vector<Shape> shapes;
     game::Status const& status = moment.status;
     if (status.goal_time) {
-        add_confetti(shapes, moment.time - *status.goal_time, size);
+        if (note.motion == Motion::full) add_confetti(shapes, moment.time - *status.goal_time, size);
         add_goal_card(shapes, level, moment, size, note);
     } else if (status.fall_time) {
-        add_message(shapes, "Fall out", moment.time - *status.fall_time, size, note);
+        add_message(shapes, words(Text::fall, note.language), moment.time - *status.fall_time, size, note);
     } else if (status.out_of_time && level.time_limit) {
-        add_message(shapes, "Time over", moment.time - *level.time_limit, size, note);
+        add_message(shapes, words(Text::time_over, note.language), moment.time - *level.time_limit, size, note);
     }
     return shapes;
 }

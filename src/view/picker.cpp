@@ -19,9 +19,11 @@ constexpr double tile_width = 280, tile_height = 158;  // pixels of a picture of
 constexpr double step_x = 304, step_y = 200;           // the same, from tile to tile
 constexpr double top = 92;
 
+std::size_t rows_of(std::size_t tiles) { return (tiles + picker_columns - 1) / picker_columns; }
+
 // The row that is seen first.
 std::size_t first_row(std::size_t tiles, std::size_t chosen) {
-    std::size_t const rows = (tiles + picker_columns - 1) / picker_columns, row = chosen / picker_columns;
+    std::size_t const rows = rows_of(tiles), row = chosen / picker_columns;
     std::size_t const most = rows > picker_rows ? rows - picker_rows : 0;
     return std::min(row > 1 ? row - 1 : 0, most);
 }
@@ -39,6 +41,41 @@ std::optional<Frame> frame_of(std::size_t tile, std::size_t tiles, std::size_t c
     return Frame{{left + static_cast<double>(tile % picker_columns) * step_x * unit,
                   upper + static_cast<double>(row - first) * step_y * unit},
                  Vec2(tile_width, tile_height) * unit};
+}
+
+// The bar at the right, between its arrows.
+struct ScrollBar {
+    double x, from, to;         // pixels
+    double seen_from, seen_to;  // pixels: the part that stands for what is seen
+    double half, unit;          // pixels: half of its width, as wide as can be pressed
+    Vec2 upper() const { return {x, from - 22 * unit}; }
+    Vec2 lower() const { return {x, to + 22 * unit}; }
+};
+std::optional<ScrollBar> scroll_bar(std::size_t tiles, std::size_t chosen, Vec2 const& size) {
+    UnseenRows const unseen = unseen_rows(tiles, chosen);
+    if (unseen == UnseenRows{}) return std::nullopt;
+    double const unit = hud_scale(size), middle = size.y() / 2 - 360 * unit;
+    ScrollBar bar{size.x() / 2 + 617 * unit, middle + (top + 36) * unit, middle + 614 * unit, 0, 0, 16 * unit, unit};
+    double const row = (bar.to - bar.from) / static_cast<double>(rows_of(tiles));
+    bar.seen_from = bar.from + row * static_cast<double>(unseen.above);
+    bar.seen_to = bar.to - row * static_cast<double>(unseen.below);
+    return bar;
+}
+
+void add_scroll_bar(std::vector<Shape>& shapes, ScrollBar const& bar, UnseenRows const& unseen) {
+    double const unit = bar.unit;
+    shapes.emplace_back(
+        Panel{{bar.x - 4 * unit, bar.from}, {8 * unit, bar.to - bar.from}, 4 * unit, faded(palette::bright, 0.16f)});
+    shapes.emplace_back(
+        Panel{{bar.x - 4 * unit, bar.seen_from}, {8 * unit, bar.seen_to - bar.seen_from}, 4 * unit, palette::dim});
+    auto const arrow = [&](Vec2 const& at, double way, std::size_t rows) {
+        Area mark;
+        mark.rings = {{at + Vec2(0, way * 9) * unit, at + Vec2(-11, -way * 7) * unit, at + Vec2(11, -way * 7) * unit}};
+        mark.paint.top = mark.paint.bottom = rows > 0 ? palette::gold : faded(palette::bright, 0.22f);
+        shapes.emplace_back(std::move(mark));
+    };
+    arrow(bar.upper(), -1, unseen.above);
+    arrow(bar.lower(), 1, unseen.below);
 }
 
 Colour colour_or(std::string const& text, Colour const& other) {
@@ -85,7 +122,7 @@ void add_thumbnail(std::vector<Shape>& shapes, Thumbnail const& thumbnail, Frame
 }
 
 void add_tile(std::vector<Shape>& shapes, Tile const& tile, std::size_t number, bool is_chosen, Frame const& frame,
-              double unit) {
+              double unit, game::Language language) {
     Vec2 const edge = Vec2(5, 5) * unit;
     if (is_chosen) shapes.emplace_back(Panel{frame.corner - edge, frame.size + 2 * edge, 8 * unit, palette::gold});
     if (tile.thumbnail) {
@@ -93,7 +130,8 @@ void add_tile(std::vector<Shape>& shapes, Tile const& tile, std::size_t number, 
     } else {
         shapes.emplace_back(Panel{frame.corner, frame.size, 4 * unit, colour(0x3a4653)});
         Vec2 const middle = frame.corner + frame.size / 2 + Vec2(0, 6 * unit);
-        shapes.emplace_back(Label{middle, 20 * unit, "cannot be played", palette::strain, Anchor::Centre});
+        shapes.emplace_back(Label{middle, 20 * unit, game::words(game::Text::picker_broken, language), palette::strain,
+                                  Anchor::Centre});
     }
     if (tile.medal != game::Medal::none)
         for (Shape& shape :
@@ -162,7 +200,7 @@ Thumbnail thumbnail_of(level::Level const& level) {
     return thumbnail;
 }
 
-Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 const& size) {
+Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 const& size, game::Language language) {
     Picture picture;
     picture.width = static_cast<int>(std::lround(size.x()));
     picture.height = static_cast<int>(std::lround(size.y()));
@@ -170,16 +208,34 @@ Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 
     double const unit = hud_scale(size);
     shapes.emplace_back(Sky{colour(0x24405c), colour(0x101c2a)});
     Vec2 const heading(size.x() / 2, size.y() / 2 - 306 * unit);
-    shapes.emplace_back(Label{heading, 40 * unit, "Levels", palette::bright, Anchor::Centre, Weight::bold});
+    shapes.emplace_back(Label{heading, 40 * unit, game::words(game::Text::picker_title, language), palette::bright,
+                              Anchor::Centre, Weight::bold});
     for (std::size_t i = 0; i < tiles.size(); ++i)
         if (auto const frame = frame_of(i, tiles.size(), chosen, size))
-            add_tile(shapes, tiles[i], i, i == chosen, *frame, unit);
+            add_tile(shapes, tiles[i], i, i == chosen, *frame, unit, language);
+    if (auto const bar = scroll_bar(tiles.size(), chosen, size))
+        add_scroll_bar(shapes, *bar, unseen_rows(tiles.size(), chosen));
     shapes.emplace_back(Label{{size.x() / 2, size.y() / 2 + 350 * unit},
                               16 * unit,
-                              "arrows and Enter, or click: play    Esc: back",
+                              game::words(game::Text::picker_hint, language),
                               palette::dim,
                               Anchor::Centre});
     return picture;
+}
+
+UnseenRows unseen_rows(std::size_t tiles, std::size_t chosen) {
+    std::size_t const rows = rows_of(tiles), above = first_row(tiles, chosen);
+    return {above, rows > above + picker_rows ? rows - above - picker_rows : 0};
+}
+
+int scroll_at(std::size_t tiles, std::size_t chosen, Vec2 const& pixel, Vec2 const& size) {
+    auto const bar = scroll_bar(tiles, chosen, size);
+    if (!bar || std::abs(pixel.x() - bar->x) > bar->half) return 0;
+    UnseenRows const unseen = unseen_rows(tiles, chosen);
+    bool const is_upper = pixel.y() >= bar->upper().y() - bar->half && pixel.y() < bar->seen_from;
+    bool const is_lower = pixel.y() <= bar->lower().y() + bar->half && pixel.y() >= bar->seen_to;
+    if (is_upper && unseen.above > 0) return -1;
+    return is_lower && unseen.below > 0 ? 1 : 0;
 }
 
 std::optional<std::size_t> tile_at(std::size_t tiles, std::size_t chosen, Vec2 const& pixel, Vec2 const& size) {

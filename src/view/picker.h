@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "game/medals.h"
+#include "game/texts.h"
 #include "level/level.h"
 #include "view/picture.h"
 #include "view/polygon.h"
@@ -38,7 +39,19 @@ Ring ring_within(Ring const& ring, geometry::Box const& box);
 inline constexpr int picker_columns = 4;
 inline constexpr int picker_rows = 3;
 
-Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 const& size);
+Picture picker_picture(std::vector<Tile> const& tiles, std::size_t chosen, Vec2 const& size,
+                       game::Language language = game::Language::english);
+
+// How many rows are not seen, above and below.
+struct UnseenRows {
+    std::size_t above = 0, below = 0;
+    bool operator==(UnseenRows const&) const = default;
+};
+UnseenRows unseen_rows(std::size_t tiles, std::size_t chosen);
+
+// At the right edge, where there are such rows: a bar that says what part of all is seen, and an arrow at either end.
+// -1 on the upper arrow or above the part that is seen, 1 on the lower one or below it, else 0.
+int scroll_at(std::size_t tiles, std::size_t chosen, Vec2 const& pixel, Vec2 const& size);
 
 // The tile at a pixel, as the picker lies with that one chosen.
 std::optional<std::size_t> tile_at(std::size_t tiles, std::size_t chosen, Vec2 const& pixel, Vec2 const& size);

@@ -53,3 +53,25 @@ TEST_CASE("a thumbnail of every level that ships shows its ground, whoever paint
     }
     CHECK(levels >= 16);
 }
+
+TEST_CASE("rows that are not seen are counted, and the bar scrolls towards them alone") {
+    CHECK(view::unseen_rows(12, 3) == view::UnseenRows{0, 0});
+    CHECK(view::unseen_rows(16, 0) == view::UnseenRows{0, 1});
+    CHECK(view::unseen_rows(16, 15) == view::UnseenRows{1, 0});
+    CHECK(view::unseen_rows(40, 20) == view::UnseenRows{4, 3});
+    for (Vec2 const& size : {Vec2(1280, 720), Vec2(640, 360)}) {
+        auto const ways = [&](std::size_t count, std::size_t chosen) {
+            std::vector<int> met;
+            double const x = size.x() / 2 + 617 * size.x() / 1280;
+            for (double y = 0; y < size.y(); ++y)
+                if (int const way = view::scroll_at(count, chosen, Vec2(x, y), size); way != 0)
+                    if (met.empty() || met.back() != way) met.push_back(way);
+            return met;
+        };
+        CHECK(ways(12, 3).empty());
+        CHECK(ways(16, 0) == std::vector<int>{1});
+        CHECK(ways(16, 15) == std::vector<int>{-1});
+        CHECK(ways(40, 20) == std::vector<int>{-1, 1});
+        CHECK(view::scroll_at(40, 20, size / 2, size) == 0);
+    }
+}
