@@ -31,21 +31,31 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     picture.backdrop = backdrop_shapes(stage.level, stage.ground, camera);
     picture.backdrop_key = backdrop_key_of(stage.level, camera);
     std::vector<Shape>& shapes = picture.shapes;
+    bool const is_high = dressing.contrast == Contrast::high;
+    if (is_high) append(shapes, terrain_outlines(stage.level.scene.terrain, camera));
     append(shapes, goal_shapes(stage.level, moment, camera));
     append(shapes, banana_shapes(stage.level, moment, camera));
     append(shapes, shadow_shapes(stage.level, moment, camera));
-    for (TrajectoryPreview const& preview : moment.coming) append(shapes, trajectory_shapes(preview, camera));
-    append(shapes, trail_shapes(stage.level, moment, camera));
-    append(shapes, dust_shapes(moment, camera));
+    for (TrajectoryPreview const& preview : moment.coming) {
+        std::vector<Shape> way = trajectory_shapes(preview, camera);
+        append(shapes, is_high && preview.premise == Premise::held ? dashed(std::move(way)) : std::move(way));
+    }
+    bool const moves = dressing.motion == Motion::full;
+    if (moves) append(shapes, trail_shapes(stage.level, moment, camera));
+    if (moves) append(shapes, dust_shapes(moment, camera));
     append(shapes, ball_shapes(stage.level, moment, camera, dressing.pointer));
-    append(shapes, spark_shapes(moment, camera));
+    if (moves) append(shapes, spark_shapes(moment, camera));
+    if (is_high) append(shapes, actor_outlines(stage.level, moment, camera));
     append(shapes, pick_shapes(stage.level, moment, camera));
     append(shapes, spring_shapes(stage.level, moment, camera));
     append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays));
     if (dressing.lettering == Lettering::none) return picture;
-    append(shapes, heading_shapes(stage.level, moment, camera.size));
-    append(shapes, tilt_shapes(stage.level, moment.forces.tilt, camera.size));
-    append(shapes, ending_shapes(stage.level, moment, camera.size, dressing.ending));
+    auto const append_written = [&](std::vector<Shape> more) {
+        append(shapes, is_high ? in_high_contrast(std::move(more)) : std::move(more));
+    };
+    append_written(heading_shapes(stage.level, moment, camera.size));
+    append_written(tilt_shapes(stage.level, moment.forces.tilt, camera.size));
+    append_written(ending_shapes(stage.level, moment, camera.size, dressing.ending));
     return picture;
 }
 

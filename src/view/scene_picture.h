@@ -2,6 +2,7 @@
 #pragma once
 
 #include "view/camera.h"
+#include "view/contrast.h"
 #include "view/ending.h"
 #include "view/ground.h"
 #include "view/moment.h"
@@ -23,6 +24,8 @@ struct Dressing {
     EndingNote ending;
     Lettering lettering = Lettering::game;
     std::optional<Vec2> pointer;  // pixels, the window's own: the player's monkey looks there
+    Motion motion = Motion::full;
+    Contrast contrast = Contrast::usual;
 };
 
 // The same arguments give the same picture, shape by shape.
