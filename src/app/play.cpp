@@ -11,6 +11,7 @@
 #include "app/play_film.h"
 #include "app/play_game.h"
 #include "app/play_keys.h"
+#include "app/play_settings.h"
 #include "app/play_sound.h"
 
 namespace app {
@@ -92,7 +93,8 @@ void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) 
         film.follow(game);
         if (tour.picker) {
             sound.hush();
-            window.present(picture_of(*tour.picker, game.size));
+            let_toast_fade(game, elapsed);
+            window.present(picture_of(game, *tour.picker));
             continue;
         }
         if (follow_file(game, elapsed)) {
@@ -119,12 +121,12 @@ int play(PlayOptions const& options) {
     game::MethodWish const wish = wish_from(options.method);
     Tour tour = tour_for(options.file);
     PlayGame game = game_for(options, tour, wish);
-    if (options.no_turn) game.turning = view::Turning::never;
+    game.kept_upright = options.no_turn;
+    adopt_preferences(game);
     if (!options.ghost.empty()) accompany(game, options.ghost);
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
-    game.preferences = game::preferences();
     std::unique_ptr<PlaySound> const sound =
         options.no_sound ? std::make_unique<PlaySound>(std::nullopt) : std::make_unique<PlaySound>();
     loop(game, tour, window, *sound);

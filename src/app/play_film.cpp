@@ -12,7 +12,13 @@ namespace app {
 
 namespace {
 
+using game::Text;
+
 constexpr int niceness = 5;
+
+std::string line_of(Filming::Outcome const& outcome) {
+    return (outcome.whole ? "smb2d: Film saved: " : "smb2d: No film: ") + outcome.what;
+}
 
 }  // namespace
 
@@ -22,10 +28,10 @@ Filming::Filming(std::string const& run_file, std::string const& film_file)
 Filming::~Filming() {
     given_up_ = true;
     thread_.join();
-    if (auto const left = outcome()) note("smb2d: " + *left);
+    if (auto const left = outcome()) note(line_of(*left));
 }
 
-std::optional<std::string> Filming::outcome() {
+std::optional<Filming::Outcome> Filming::outcome() {
     std::scoped_lock const lock(mutex_);
     return std::exchange(outcome_, std::nullopt);
 }
@@ -34,7 +40,7 @@ void Filming::run(std::string const& run_file, std::string const& film_file) {
     leave_interrupts_to_the_main_thread();
     // Of this thread, and of the painter and the encoder that it starts.
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
-    std::string outcome = "Film saved: " + film_file;
+    Outcome outcome{true, film_file};
     try {
         FilmOptions options;
         options.sequence.file = run_file;
@@ -48,19 +54,19 @@ void Filming::run(std::string const& run_file, std::string const& film_file) {
         };
         write_film(sequence, options);
     } catch (std::exception const& error) {
-        outcome = std::string("No film: ") + error.what();
+        outcome = {false, error.what()};
     }
     std::scoped_lock const lock(mutex_);
     outcome_ = std::move(outcome);
 }
 
 void PlayFilm::start(PlayGame& game) {
-    if (filming_) return say(game, "One film at a time");
-    if (!(game.session.world.time > 0)) return say(game, "Nothing has been played yet");
+    if (filming_) return say(game, Text::one_film);
+    if (!(game.session.world.time > 0)) return say(game, Text::nothing_played);
     auto const run = save_run(game);
     if (!run) return;
     filming_.emplace(*run, std::filesystem::path(*run).replace_extension(".mp4").string());
-    say(game, "Filming what has been played; the game goes on");
+    say(game, Text::film_begins);
 }
 
 void PlayFilm::follow(PlayGame& game) {
@@ -70,8 +76,8 @@ void PlayFilm::follow(PlayGame& game) {
     game.filmed = filming_->share();
     auto const outcome = filming_->outcome();
     if (!outcome) return;
-    say(game, *outcome);
-    note("smb2d: " + *outcome);
+    say(game, outcome->whole ? Text::film_saved : Text::film_failed, {outcome->what});
+    note(line_of(*outcome));
     filming_.reset();
 }
 

@@ -20,8 +20,12 @@ public:
     Filming& operator=(Filming const&) = delete;
 
     double share() const { return share_; }  // of its frames, in [0, 1]
-    // Once it has ended: what has come of it, in words.
-    std::optional<std::string> outcome();
+    // Once it has ended: its file, or why there is none.
+    struct Outcome {
+        bool whole = false;
+        std::string what;
+    };
+    std::optional<Outcome> outcome();
 
 private:
     void run(std::string const& run_file, std::string const& film_file);
@@ -29,7 +33,7 @@ private:
     std::atomic<double> share_ = 0;
     std::atomic<bool> given_up_ = false;
     std::mutex mutex_;
-    std::optional<std::string> outcome_;
+    std::optional<Outcome> outcome_;
     std::thread thread_;
 };
 

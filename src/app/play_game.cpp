@@ -5,13 +5,17 @@
 
 #include "app/output.h"
 #include "app/play_save.h"
+#include "app/play_settings.h"
 #include "game/best_times.h"
 #include "game/medals.h"
 #include "game/past.h"
 #include "game/run_file.h"
 #include "view/hud.h"
+#include "view/settings_page.h"
 
 namespace app {
+
+using game::Text;
 
 namespace {
 
@@ -31,7 +35,7 @@ void take_over(PlayGame& game) {
     game.replay_end.reset();
     // A pull of the run's would hold for ever: nobody is left to let go.
     game::act(game.session, game::Release{});
-    say(game, "You play on from here");
+    say(game, Text::played_on);
 }
 
 void learn(PlayGame& game, game::Lesson lesson) {
@@ -51,7 +55,7 @@ bool has_come_to_an_end(PlayGame const& game) {
 
 // Where the pointer that drags a ball is in the world, which depends on where the camera is.
 Vec2 pointer_at(PlayGame const& game, double time) {
-    return view::world_of(view::camera_of(game.session, time, game.size, game.turning, game.lens), *game.held);
+    return view::world_of(view::camera_of(game.session, time, game.size, turning_of(game), lens_of(game)), *game.held);
 }
 
 // Tells the session where the pointer is in the world now, be it because the camera has moved.
@@ -89,7 +93,7 @@ void note_goal(PlayGame& game) {
         note_set_aside(game::note_time(level, time).set_aside, "best times");
         note_set_aside(game::note_medal(level, game::medal_for(level, game::status_at(game.session, time))), "medals");
     } catch (std::exception const& error) {
-        say(game, std::string("The time was not kept: ") + error.what());
+        say(game, Text::time_not_kept, {error.what()});
         note(std::string("smb2d: ") + error.what());
     }
 }
@@ -111,13 +115,14 @@ void let_time_pass(PlayGame& game, double from) {
 }  // namespace
 
 double flight_of(PlayGame const& game) {
-    if (!game.waiting) return 0;
+    if (!game.waiting || game.preferences.reduced_motion) return 0;
     double const share = std::clamp(1 - game.wall_time / flight_time, 0.0, 1.0);
     return share * share * (3 - 2 * share);
 }
 
 view::Camera camera_of(PlayGame const& game) {
-    view::Camera const camera = view::camera_of(game.session, shown_time(game), game.size, game.turning, game.lens);
+    view::Camera const camera =
+        view::camera_of(game.session, shown_time(game), game.size, turning_of(game), lens_of(game));
     return view::towards_goal(game.stage->level, camera, flight_of(game));
 }
 
@@ -194,9 +199,11 @@ void release(PlayGame& game) {
 }
 
 void lose_focus(PlayGame& game) {
-    if (!game.held) return;
     release(game);
-    say(game, "Let go: the window is no longer in front");
+    bool const stands = game.waiting || game.pace.paused || game.menu_row || game.settings || game.help;
+    if (stands || game.screen == Screen::title || game.replay_end || is_over(game)) return;
+    game.pace.paused = true;
+    say(game, Text::focus_lost, {key_of(game, game::KeyAction::pause)});
 }
 
 void turn_wheel(PlayGame& game, Vec2 const& pixel, double notches) {
@@ -216,29 +223,33 @@ void single_step(PlayGame& game) {
 void cycle_overlay(PlayGame& game) {
     view::Overlays const order[] = {
         {}, {true, false, false}, {false, true, false}, {false, false, true}, {true, true, true}};
-    char const* const names[] = {"none", "figures", "forces", "energy", "all"};
+    Text const names[] = {Text::overlay_none, Text::overlay_figures, Text::overlay_forces, Text::overlay_energy,
+                          Text::overlay_all};
     std::size_t constexpr count = std::size(order);
     std::size_t const at = static_cast<std::size_t>(std::find(order, order + count, game.overlays) - order);
     std::size_t const next = (at + 1) % count;
     game.overlays = order[next];
-    say(game, std::string("Overlay: ") + names[next]);
+    say(game, Text::overlay_is, {game::words(names[next], language_of(game))});
 }
 
 void switch_turning(PlayGame& game) {
-    bool const turned = game.turning == view::Turning::with_gravity;
-    game.turning = turned ? view::Turning::never : view::Turning::with_gravity;
-    say(game, turned ? "The picture stays upright" : "The picture turns as the stage is tilted");
+    bool const turned = turning_of(game) == view::Turning::with_gravity;
+    game.kept_upright = false;
+    game.preferences.turning = !turned;
+    keep_preferences(game);
+    bool const is_calm = game.preferences.reduced_motion;
+    say(game, turned ? Text::picture_upright : is_calm ? Text::picture_calm : Text::picture_turns);
 }
 
 std::optional<std::string> save_run(PlayGame& game) {
     try {
         std::string const file = free_run_name(game.stage->level.file);
         game::write_run(run_to_save(game.session), file);
-        say(game, "Saved " + file);
+        say(game, Text::saved, {file});
         note("smb2d: saved " + file);
         return file;
     } catch (std::exception const& error) {
-        say(game, std::string("Not saved: ") + error.what());
+        say(game, Text::not_saved, {error.what()});
         note(std::string("smb2d: not saved: ") + error.what());
         return std::nullopt;
     }
@@ -246,10 +257,31 @@ std::optional<std::string> save_run(PlayGame& game) {
 
 void say(PlayGame& game, std::string const& text) { game.toast = {text, toast_length}; }
 
+void say(PlayGame& game, Text text, std::initializer_list<std::string> values) {
+    say(game, game::words(text, language_of(game), values));
+}
+
+std::string key_of(PlayGame const& game, game::KeyAction action) {
+    return view::first_key_text(game.bindings, action, language_of(game));
+}
+
+view::Turning turning_of(PlayGame const& game) {
+    bool const turns = game.preferences.turning && !game.preferences.reduced_motion && !game.kept_upright;
+    return turns ? view::Turning::with_gravity : view::Turning::never;
+}
+
+view::Lens lens_of(PlayGame const& game) {
+    view::Lens lens = game.lens;
+    lens.motion = motion_of(game);
+    return lens;
+}
+
+void let_toast_fade(PlayGame& game, double elapsed) { game.toast.left = std::max(0.0, game.toast.left - elapsed); }
+
 void pass(PlayGame& game, double elapsed) {
-    game.toast.left = std::max(0.0, game.toast.left - elapsed);
+    let_toast_fade(game, elapsed);
     game.wall_time += elapsed;
-    if (game.help || game.menu_row) return;
+    if (game.help || game.menu_row || game.settings) return;
     game.lean_is_old = game.lean_is_old && leaning_of(game) != 0;
     bool const tilts =
         leaning_of(game) != 0 && !game.lean_is_old && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
@@ -272,7 +304,7 @@ void pass(PlayGame& game, double elapsed) {
     if (game.screen == Screen::title) return restart(game);
     game.replay_end.reset();
     game.pace.paused = true;
-    say(game, "The end of the run; Space plays on from here");
+    say(game, Text::run_ends, {key_of(game, game::KeyAction::pause)});
 }
 
 }  // namespace app

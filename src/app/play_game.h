@@ -10,6 +10,7 @@
 
 #include "app/file_watch.h"
 #include "app/opening.h"
+#include "game/actions.h"
 #include "game/lessons.h"
 #include "game/pace.h"
 #include "game/preferences.h"
@@ -25,6 +26,13 @@ using geometry::Vec2;
 struct Toast {
     std::string text;
     double left = 0;  // s on the wall until it is gone
+};
+
+// The page of settings that is open: all of them, or the keys.
+struct SettingsPage {
+    enum class Leaf { all, keys } leaf = Leaf::all;
+    std::size_t row = 0;  // the chosen one
+    bool waits = false;   // for the key that the chosen action is to have
 };
 
 // How the window is used: over a run that shows the game, or to play.
@@ -49,9 +57,10 @@ struct PlayGame {
 
     Vec2 size = Vec2(1280, 720);  // pixels, of the picture
     view::Lens lens;
-    view::Turning turning = view::Turning::with_gravity;
+    bool kept_upright = false;  // the picture does not turn, whatever is preferred
     view::Overlays overlays;
     game::Preferences preferences;
+    game::Bindings bindings = game::usual_bindings();
     std::optional<Vec2> pointer;      // pixels, where it was last seen
     std::optional<Vec2> held;         // pixels, the pointer while it drags a ball
     std::optional<Vec2> sent;         // m, where it was when it was last told to the session
@@ -65,10 +74,11 @@ struct PlayGame {
     bool film_wanted = false;             // of what has been played
     std::optional<double> filmed;         // in [0, 1], how much of a film is done that is being made
     std::optional<std::size_t> menu_row;  // the chosen one, while the menu is open
-    bool on_timeline = false;             // the pointer drags the moment that is looked at
-    bool noted = false;                   // the time of reaching the goal has been noted
-    std::optional<double> best_before;    // s, the level's best time when it was opened
-    std::set<game::Lesson> learnt;        // what need not be shown again
+    std::optional<SettingsPage> settings;
+    bool on_timeline = false;           // the pointer drags the moment that is looked at
+    bool noted = false;                 // the time of reaching the goal has been noted
+    std::optional<double> best_before;  // s, the level's best time when it was opened
+    std::set<game::Lesson> learnt;      // what need not be shown again
 };
 
 // The run that plays under the title, again and again.
@@ -133,7 +143,8 @@ enum class Pressed { ball, timeline, nothing };
 Pressed press(PlayGame& game, Vec2 const& pixel);
 void move_pointer(PlayGame& game, Vec2 const& pixel);
 void release(PlayGame& game);
-// The window is no longer told what the pointer does, nor that its button comes up.
+// The window is no longer told what the pointer does, nor that its button comes up: what is dragged is let go, and a
+// game that the player plays pauses.
 void lose_focus(PlayGame& game);
 // The ball that a press there would take hold of; `camera` is camera_of the game.
 std::optional<int> ball_at(PlayGame const& game, view::Camera const& camera, Vec2 const& pixel);
@@ -146,6 +157,22 @@ void switch_turning(PlayGame& game);
 std::optional<std::string> save_run(PlayGame& game);  // the run's file
 
 void say(PlayGame& game, std::string const& text);
+void say(PlayGame& game, game::Text text, std::initializer_list<std::string> values = {});
+inline game::Language language_of(PlayGame const& game) { return game::language_of(game.preferences); }
+// The first key of an action, as the player reads it.
+std::string key_of(PlayGame const& game, game::KeyAction action);
+// Whether the picture turns with gravity, and how it is looked at, by what is preferred.
+view::Turning turning_of(PlayGame const& game);
+view::Lens lens_of(PlayGame const& game);
+inline view::Motion motion_of(PlayGame const& game) {
+    return game.preferences.reduced_motion ? view::Motion::reduced : view::Motion::full;
+}
+
+// The card after the goal has a button that films the run.
+bool is_on_film_button(PlayGame const& game, Vec2 const& pixel);
+
+// A message fades, be the game on or not; `elapsed` as below.
+void let_toast_fade(PlayGame& game, double elapsed);
 
 // `elapsed` seconds have passed on the wall.
 void pass(PlayGame& game, double elapsed);

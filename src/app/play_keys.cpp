@@ -1,11 +1,12 @@
 #include "app/play_keys.h"
 
-#include "app/play_menu.h"
-#include "app/play_sound.h"
+#include "app/play_settings.h"
 
 namespace app {
 
 namespace {
+
+using game::KeyAction;
 
 constexpr double slow_speed = 0.25;
 
@@ -18,10 +19,9 @@ void close_card(PlayGame& game, Tour& tour, screen::Window& window) {
 }
 
 // Which way the keys that are down now tilt the stage.
-int lean_of_keys() {
-    Uint8 const* const down = SDL_GetKeyboardState(nullptr);
-    int const left = down[SDL_SCANCODE_LEFT] || down[SDL_SCANCODE_A] ? 1 : 0;
-    int const right = down[SDL_SCANCODE_RIGHT] || down[SDL_SCANCODE_D] ? 1 : 0;
+int lean_of_keys(PlayGame const& game) {
+    int const left = is_down(game.bindings, KeyAction::tilt_left) ? 1 : 0;
+    int const right = is_down(game.bindings, KeyAction::tilt_right) ? 1 : 0;
     return right - left;
 }
 
@@ -32,7 +32,15 @@ void open_menu_in(PlayGame& game, screen::Window& window) {
     open_menu(game);
 }
 
+void press_pause(PlayGame& game) {
+    if (game.waiting)
+        begin(game);
+    else if (!return_to_present(game))
+        game.pace.paused = !game.pace.paused;
+}
+
 Place place_of(PlayGame const& game, Tour const& tour) {
+    if (game.settings) return Place::settings;
     if (tour.picker) return Place::picker;
     if (game.screen == Screen::title) return Place::title;
     if (game.menu_row) return Place::menu;
@@ -40,94 +48,163 @@ Place place_of(PlayGame const& game, Tour const& tour) {
     return game.waiting ? Place::waiting : Place::game;
 }
 
-KeyCommand press_key(SDL_Keycode key, PlayGame& game, Tour& tour, screen::Window& window) {
-    switch (key) {
-        case SDLK_q:
+bool is_list(Place place) { return place == Place::settings || place == Place::picker || place == Place::menu; }
+
+KeyCommand press_in_game(KeyAction action, PlayGame& game, Tour& tour, screen::Window& window) {
+    switch (action) {
+        case KeyAction::quit:
             return KeyCommand::quit;
-        case SDLK_ESCAPE:
-            if (game.help)
-                game.help = false;
-            else
-                open_menu_in(game, window);
+        case KeyAction::menu:
+            open_menu_in(game, window);
             break;
-        case SDLK_F1:
-            game.help = !game.help;
+        case KeyAction::pause:
+            press_pause(game);
             break;
-        case SDLK_SPACE:
-            if (game.waiting)
-                begin(game);
-            else if (!return_to_present(game))
-                game.pace.paused = !game.pace.paused;
-            break;
-        case SDLK_RETURN:
-        case SDLK_KP_ENTER:
+        case KeyAction::go_on:
             close_card(game, tour, window);
             break;
-        case SDLK_COMMA:
-        case SDLK_LESS:
+        case KeyAction::look_back:
             start_scrub(game, -1, hurry_of_keys());
             break;
-        case SDLK_PERIOD:
-        case SDLK_GREATER:
+        case KeyAction::look_forward:
             start_scrub(game, 1, hurry_of_keys());
             break;
-        case SDLK_n:
+        case KeyAction::single_step:
             single_step(game);
             break;
-        case SDLK_s:
+        case KeyAction::slow_motion:
             game.pace.speed = game.pace.speed == 1 ? slow_speed : 1;
             break;
-        case SDLK_r:
+        case KeyAction::restart:
             window.release_pointer();
             restart(game);
             break;
-        case SDLK_F3:
+        case KeyAction::method:
             window.release_pointer();
             change_method(game);
             break;
-        case SDLK_TAB:
-        case SDLK_PAGEDOWN:
+        case KeyAction::next_level:
             go_to_level(game, tour, 1, window);
             break;
-        case SDLK_PAGEUP:
+        case KeyAction::previous_level:
             go_to_level(game, tour, tour.files.size() - 1, window);
             break;
-        case SDLK_l:
+        case KeyAction::levels:
             open_picker(game, tour, window);
             break;
-        case SDLK_o:
+        case KeyAction::overlay:
             cycle_overlay(game);
             break;
-        case SDLK_t:
+        case KeyAction::turn_picture:
             switch_turning(game);
             break;
-        case SDLK_F5:
+        case KeyAction::save:
             save_run(game);
             break;
-        case SDLK_F6:
+        case KeyAction::film:
             game.film_wanted = true;
             break;
-        case SDLK_F11:
-            window.toggle_fullscreen();
-            break;
         default:
-            press_sound_key(key, game);
             break;
     }
     return KeyCommand::stay;
 }
 
+// Arrows, Enter and Esc come before actions in lists, after them elsewhere.
+KeyCommand press(Press const& pressed, PlayGame& game, Tour& tour, screen::Window& window) {
+    Place const place = place_of(game, tour);
+    bool const takes_key = game.settings && game.settings->waits;
+    if (takes_key) {
+        press_in_settings(game, pressed);
+        return KeyCommand::stay;
+    }
+    if (game.help && pressed.move == Move::back) {
+        game.help = false;
+        return KeyCommand::stay;
+    }
+    bool const is_move = is_list(place) && pressed.move;
+    if (!is_move && !pressed.repeats && press_anywhere(pressed, game, window)) return KeyCommand::stay;
+    if (!is_move && !pressed.repeats && !game.settings && pressed.action == KeyAction::settings) {
+        window.release_pointer();
+        open_settings(game);
+        return KeyCommand::stay;
+    }
+    if (place == Place::settings) {
+        press_in_settings(game, pressed);
+        return KeyCommand::stay;
+    }
+    // Held down, arrows go on through a list, and steps go on in a pause.
+    bool const may_repeat = is_list(place) ? is_move && *pressed.move != Move::choose && *pressed.move != Move::back
+                                           : pressed.action == KeyAction::single_step;
+    if (pressed.repeats && !may_repeat) return KeyCommand::stay;
+    if (place == Place::picker) return press_in_picker(pressed, game, tour, window);
+    if (place == Place::title) return press_on_title(pressed, game, tour, window);
+    if (place == Place::menu) return follow_choice(press_in_menu(game, pressed), game, tour, window);
+    return pressed.action ? press_in_game(*pressed.action, game, tour, window) : KeyCommand::stay;
+}
+
+KeyCommand click(Vec2 const& pixel, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (game.help) {
+        game.help = false;
+        return KeyCommand::stay;
+    }
+    switch (place_of(game, tour)) {
+        case Place::settings:
+            click_in_settings(game, pixel);
+            break;
+        case Place::picker:
+            click_in_picker(pixel, game, tour, window);
+            break;
+        case Place::title:
+            click_on_title(pixel, game, tour, window);
+            break;
+        case Place::menu:
+            return follow_choice(click_in_menu(game, pixel), game, tour, window);
+        default:
+            if (game.held) break;
+            if (is_on_film_button(game, pixel)) {
+                game.film_wanted = true;
+                break;
+            }
+            if (app::press(game, pixel) != Pressed::nothing)
+                window.capture_pointer();
+            else
+                close_card(game, tour, window);
+            break;
+    }
+    return KeyCommand::stay;
+}
+
+void point(Vec2 const& pixel, PlayGame& game, Tour& tour) {
+    Place const place = place_of(game, tour);
+    if (place == Place::settings)
+        point_in_settings(game, pixel);
+    else if (place == Place::picker)
+        point_in_picker(pixel, game, tour);
+    else if (place == Place::menu)
+        point_in_menu(game, pixel);
+    else
+        move_pointer(game, pixel);
+}
+
+void turn_wheel_at(SDL_MouseWheelEvent const& wheel, PlayGame& game, Tour& tour, screen::Window& window) {
+    Place const place = place_of(game, tour);
+    if (place == Place::picker) return move_choice(*tour.picker, 0, wheel.y > 0 ? -1 : 1);
+    if (is_list(place)) return;
+    int x = 0, y = 0;
+    SDL_GetMouseState(&x, &y);
+    turn_wheel(game, pixel_at(x, y, window), wheel.preciseY);
+}
+
 }  // namespace
 
 void scrub_by_keys(PlayGame& game, double elapsed) {
-    Uint8 const* const down = SDL_GetKeyboardState(nullptr);
-    auto const is_down = [&](SDL_Keycode key) { return down[SDL_GetScancodeFromKey(key)] != 0 ? 1 : 0; };
-    scrub(game, is_down(SDLK_PERIOD) - is_down(SDLK_COMMA), hurry_of_keys(), elapsed);
+    int const back = is_down(game.bindings, KeyAction::look_back) ? 1 : 0;
+    int const forward = is_down(game.bindings, KeyAction::look_forward) ? 1 : 0;
+    scrub(game, forward - back, hurry_of_keys(), elapsed);
 }
 
 KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
-    if (tour.picker && listen_on_picker(event, game, tour, window)) return KeyCommand::stay;
-    if (game.menu_row && is_for_menu(event)) return listen_on_menu(event, game, tour, window);
     switch (event.type) {
         case SDL_QUIT:
             return KeyCommand::quit;
@@ -139,25 +216,18 @@ KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Wi
             }
             break;
         case SDL_KEYDOWN:
-            if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
-            game.lean = lean_of_keys();
-            // Alt-Tab is the desktop's, and a key that is held down repeats single steps alone.
+            if (!is_list(place_of(game, tour))) game.lean = lean_of_keys(game);
+            // Alt-Tab is the desktop's.
             if ((event.key.keysym.mod & KMOD_ALT) != 0) return KeyCommand::stay;
-            if (event.key.repeat != 0 && event.key.keysym.sym != SDLK_n) return KeyCommand::stay;
-            return press_key(event.key.keysym.sym, game, tour, window);
+            return press(press_of(event.key, game.bindings), game, tour, window);
         case SDL_KEYUP:
-            game.lean = lean_of_keys();
+            game.lean = lean_of_keys(game);
             break;
         case SDL_MOUSEBUTTONDOWN:
-            if (game.screen == Screen::title) return listen_on_title(event, game, tour, window);
-            if (event.button.button != SDL_BUTTON_LEFT || game.held) break;
-            if (press(game, pixel_at(event.button.x, event.button.y, window)) != Pressed::nothing)
-                window.capture_pointer();
-            else
-                close_card(game, tour, window);
-            break;
+            if (event.button.button != SDL_BUTTON_LEFT) break;
+            return click(pixel_at(event.button.x, event.button.y, window), game, tour, window);
         case SDL_MOUSEMOTION:
-            move_pointer(game, pixel_at(event.motion.x, event.motion.y, window));
+            point(pixel_at(event.motion.x, event.motion.y, window), game, tour);
             break;
         case SDL_MOUSEBUTTONUP:
             if (event.button.button != SDL_BUTTON_LEFT) break;
@@ -172,12 +242,9 @@ KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Wi
             go_to_level(game, tour, 0, window);
             break;
         }
-        case SDL_MOUSEWHEEL: {
-            int x = 0, y = 0;
-            SDL_GetMouseState(&x, &y);
-            turn_wheel(game, pixel_at(x, y, window), event.wheel.preciseY);
+        case SDL_MOUSEWHEEL:
+            turn_wheel_at(event.wheel, game, tour, window);
             break;
-        }
         default:
             break;
     }
@@ -189,16 +256,12 @@ KeyCommand listen_to_pads(SDL_Event const& event, Pads& pads, PlayGame& game, To
     bool const is_running = place_of(game, tour) == Place::game && !game.pace.paused;
     if (news == Pads::News::went && is_running) {
         open_menu_in(game, window);
-        say(game, "The gamepad is gone");
+        say(game, game::Text::pad_gone);
     }
     if (event.type != SDL_CONTROLLERBUTTONDOWN) return KeyCommand::stay;
     auto const button = static_cast<SDL_GameControllerButton>(event.cbutton.button);
-    auto const key = key_for(button, place_of(game, tour));
-    if (!key) return KeyCommand::stay;
-    SDL_Event pressed{};
-    pressed.type = SDL_KEYDOWN;
-    pressed.key.keysym.sym = *key;
-    return listen(pressed, game, tour, window);
+    auto const pressed = press_for(button, place_of(game, tour));
+    return pressed ? press(*pressed, game, tour, window) : KeyCommand::stay;
 }
 
 }  // namespace app

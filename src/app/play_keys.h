@@ -11,10 +11,10 @@ namespace app {
 // What one event means for the game and its window.
 KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
 
-// The same of a gamepad: a button counts as the key that it stands for, and one that is pulled out pauses the game.
+// The same of a gamepad: a button counts as what it stands for, and one that is pulled out pauses the game.
 KeyCommand listen_to_pads(SDL_Event const& event, Pads& pads, PlayGame& game, Tour& tour, screen::Window& window);
 
-// Moves through the past while comma or period is held down.
+// Moves through the past while a key for it is held down.
 void scrub_by_keys(PlayGame& game, double elapsed);
 
 }  // namespace app

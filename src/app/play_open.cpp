@@ -53,7 +53,8 @@ void adopt(PlayGame& game, PlayGame other) {
     other.size = game.size;
     other.overlays = game.overlays;
     other.preferences = game.preferences;
-    other.turning = game.turning;
+    other.kept_upright = game.kept_upright;
+    other.bindings = game.bindings;
     other.lean = game.lean;
     other.lean_is_old = leaning_of(game) != 0;
     other.stick = game.stick;
@@ -124,7 +125,7 @@ bool follow_file(PlayGame& game, double elapsed) {
         view::Lens const lens = game.lens;
         adopt(game, game_of(game.file, game.wish));
         game.lens = lens;
-        say(game, "Read anew");
+        say(game, game::Text::read_anew);
         return true;
     } catch (std::exception const& error) {
         std::string const what = error.what() + further_faults_in(file);
@@ -144,7 +145,7 @@ void change_method(PlayGame& game) {
         if (game::objection_to(wish)) continue;
         game.wish = wish;
         restart(game);
-        say(game, std::string("Method: ") + physics::name_of(game.session.method));
+        say(game, game::Text::method_is, {physics::name_of(game.session.method)});
         return;
     }
 }

@@ -25,16 +25,16 @@ Sticks sticks_of(SDL_GameController* pad) {
             down(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - down(SDL_CONTROLLER_BUTTON_DPAD_LEFT)};
 }
 
-std::optional<SDL_Keycode> arrow_for(SDL_GameControllerButton button) {
+std::optional<Press> arrow_for(SDL_GameControllerButton button) {
     switch (button) {
         case SDL_CONTROLLER_BUTTON_DPAD_LEFT:
-            return SDLK_LEFT;
+            return Press{std::nullopt, Move::left};
         case SDL_CONTROLLER_BUTTON_DPAD_RIGHT:
-            return SDLK_RIGHT;
+            return Press{std::nullopt, Move::right};
         case SDL_CONTROLLER_BUTTON_DPAD_UP:
-            return SDLK_UP;
+            return Press{std::nullopt, Move::up};
         case SDL_CONTROLLER_BUTTON_DPAD_DOWN:
-            return SDLK_DOWN;
+            return Press{std::nullopt, Move::down};
         default:
             return std::nullopt;
     }
@@ -42,25 +42,35 @@ std::optional<SDL_Keycode> arrow_for(SDL_GameControllerButton button) {
 
 }  // namespace
 
-std::optional<SDL_Keycode> key_for(SDL_GameControllerButton button, Place place) {
-    bool const is_list = place == Place::picker || place == Place::menu;
+std::optional<Press> press_for(SDL_GameControllerButton button, Place place) {
+    using game::KeyAction;
+    bool const is_list = place == Place::picker || place == Place::menu || place == Place::settings;
+    Press const choose{std::nullopt, Move::choose}, back{std::nullopt, Move::back};
     switch (button) {
         case SDL_CONTROLLER_BUTTON_A:
-            if (place == Place::waiting) return SDLK_SPACE;
+            if (place == Place::waiting) return Press{KeyAction::pause};
+            if (place == Place::card) return Press{KeyAction::go_on};
             if (place == Place::game) return std::nullopt;
-            return SDLK_RETURN;
+            return choose;
         case SDL_CONTROLLER_BUTTON_START:
-            if (place == Place::waiting || place == Place::game || place == Place::menu) return SDLK_ESCAPE;
-            return SDLK_RETURN;
+            if (place == Place::waiting || place == Place::game) return Press{KeyAction::menu};
+            if (place == Place::menu || place == Place::settings) return back;
+            if (place == Place::card) return Press{KeyAction::go_on};
+            return choose;
         case SDL_CONTROLLER_BUTTON_B:
-            if (is_list) return SDLK_ESCAPE;
+            if (is_list) return back;
             return std::nullopt;
         case SDL_CONTROLLER_BUTTON_X:
-            if (place == Place::game || place == Place::card) return SDLK_r;
+            if (place == Place::game || place == Place::card) return Press{KeyAction::restart};
+            return std::nullopt;
+        case SDL_CONTROLLER_BUTTON_Y:
+            if (place == Place::card) return Press{KeyAction::film};
+            if (place == Place::title || place == Place::picker || place == Place::menu)
+                return Press{KeyAction::settings};
             return std::nullopt;
         case SDL_CONTROLLER_BUTTON_BACK:
-            if (place == Place::menu) return SDLK_ESCAPE;
-            return SDLK_l;
+            if (place == Place::menu || place == Place::settings) return back;
+            return Press{KeyAction::levels};
         default:
             return is_list ? arrow_for(button) : std::nullopt;
     }

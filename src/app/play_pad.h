@@ -7,13 +7,15 @@
 #include <memory>
 #include <optional>
 
+#include "app/play_actions.h"
+
 namespace app {
 
 // Where a button is pressed: what it means hangs on it.
-enum class Place { title, waiting, game, card, picker, menu };
+enum class Place { title, waiting, game, card, picker, menu, settings };
 
-// The key that does what the button means there; nothing where it means nothing.
-std::optional<SDL_Keycode> key_for(SDL_GameControllerButton button, Place place);
+// What the button means there; nothing where it means nothing.
+std::optional<Press> press_for(SDL_GameControllerButton button, Place place);
 
 struct Sticks {
     double x = 0;                // of the left stick, in [-1, 1], right positive

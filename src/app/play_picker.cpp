@@ -35,6 +35,16 @@ void move_choice(Picker& picker, int columns, int rows) {
     if (next >= 0 && next < count) picker.chosen = static_cast<std::size_t>(next);
 }
 
+void scroll_picker(Picker& picker, int way) {
+    std::size_t const count = picker.tiles.size();
+    view::UnseenRows const before = view::unseen_rows(count, picker.chosen);
+    // The last row may be a short one.
+    for (std::size_t last = count; last != picker.chosen && view::unseen_rows(count, picker.chosen) == before;) {
+        last = picker.chosen;
+        move_choice(picker, 0, way);
+    }
+}
+
 std::optional<std::size_t> tile_at(Picker const& picker, Vec2 const& pixel, Vec2 const& size) {
     return view::tile_at(picker.tiles.size(), picker.chosen, pixel, size);
 }

@@ -22,11 +22,10 @@ Picker picker_of(std::vector<std::string> const& files, std::size_t chosen);
 // To another tile, by columns and rows, as far as there is one.
 void move_choice(Picker& picker, int columns, int rows);
 
+// Shows a row more above (-1) or below (1), where there is one, by a choice in it.
+void scroll_picker(Picker& picker, int way);
+
 // The tile under the pointer, if there is one.
 std::optional<std::size_t> tile_at(Picker const& picker, Vec2 const& pixel, Vec2 const& size);
-
-inline view::Picture picture_of(Picker const& picker, Vec2 const& size) {
-    return view::picker_picture(picker.tiles, picker.chosen, size);
-}
 
 }  // namespace app

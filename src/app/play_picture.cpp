@@ -1,39 +1,27 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/play_game.h"
-#include "app/play_menu.h"
+#include "app/play_screens.h"
+#include "app/play_settings.h"
+#include "game/run_file.h"
 #include "game/what_if.h"
 #include "view/briefing.h"
 #include "view/hud.h"
+#include "view/settings_page.h"
 
 namespace app {
 
 namespace {
 
+using game::KeyAction;
+using game::Text;
+
 constexpr double toast_fading = 0.6;  // s
 
-std::vector<view::KeyHelp> key_help() {
-    return {{"left button", "press on the ball, or near it, and drag it"},
-            {"A  D", "tilt the stage; so do the left and right arrows"},
-            {"wheel", "zoom"},
-            {"Space", "pause; from the past: back to the present"},
-            {"comma  period", "hold to look back and forth; Shift: faster"},
-            {"in the past", "take the ball, or tilt, to go on from there"},
-            {"N", "one step while paused"},
-            {"S", "slow motion"},
-            {"R", "from the beginning"},
-            {"Enter", "after the goal: the next level; after a fall: again"},
-            {"L", "all levels, to pick one"},
-            {"Tab", "next level; PageDown and PageUp walk through them"},
-            {"T", "whether the picture turns as the stage is tilted"},
-            {"O", "overlay: figures, forces, energy, all, none"},
-            {"M", "mute; minus and plus: volume"},
-            {"F3", "next method, from the beginning"},
-            {"F5  F6", "save the run; film it while you play on"},
-            {"F11", "full screen"},
-            {"gamepad", "stick or triggers tilt; Start: menu"},
-            {"Esc", "menu: go on, again, levels, sound, quit"}};
+std::vector<view::Shape> help_shapes(PlayGame const& game) {
+    game::Language const language = language_of(game);
+    return view::help_shapes(game::words(Text::help_title, language), view::key_help(game.bindings, language),
+                             game.size);
 }
 
 std::string badge_of(PlayGame const& game) {
@@ -43,11 +31,13 @@ std::string badge_of(PlayGame const& game) {
         if (!words.empty()) words += ", ";
         words += word;
     };
-    if (game.looked_at) return view::written(present_time(game) - *game.looked_at, 2) + " s ago";
-    add(game.replay_end.has_value(), "replay");
-    add(game.pace.paused, "paused");
-    add(game.pace.speed != 1, "slow motion");
-    if (game.filmed) add(true, "filming " + view::written(100 * *game.filmed, 0) + " %");
+    game::Language const language = language_of(game);
+    if (game.looked_at)
+        return game::words(Text::badge_ago, language, {view::written(present_time(game) - *game.looked_at, 2)});
+    add(game.replay_end.has_value(), game::words(Text::badge_replay, language));
+    add(game.pace.paused, game::words(Text::badge_paused, language));
+    add(game.pace.speed != 1, game::words(Text::badge_slow, language));
+    if (game.filmed) add(true, game::words(Text::badge_filming, language, {view::written(100 * *game.filmed, 0)}));
     return words;
 }
 
@@ -86,15 +76,39 @@ constexpr double hand_way = 130;            // pixels of a picture of 1280x720
 constexpr double low_ball = 0.7;            // of the height of the picture: a ball so low would lie under the hint
 constexpr double lift_over_briefing = 110;  // pixels as above, by which messages stand higher
 
-std::string ending_hint(view::Moment const& moment) {
-    return moment.status.goal_time ? "Enter or click: go on    R: again"
-                                   : "Enter or click: again    comma, or the bar below: back in time";
+std::string ending_hint(PlayGame const& game, view::Moment const& moment) {
+    bool const won = moment.status.goal_time.has_value();
+    game::KeyAction const other = won ? game::KeyAction::restart : game::KeyAction::look_back;
+    return game::words(won ? Text::goal_hint : Text::fall_hint, language_of(game),
+                       {key_of(game, game::KeyAction::go_on), key_of(game, other)});
+}
+
+view::EndingNote ending_note(PlayGame const& game, view::Moment const& moment) {
+    view::EndingNote note{ending_hint(game, moment), game.best_before, language_of(game), motion_of(game), {}};
+    // A film of a replay would be one of what is a file already.
+    if (!game.filmed && !game::is_run_file(game.file))
+        note.film = game::words(Text::film_button, language_of(game)) + "  " + key_of(game, KeyAction::film);
+    return note;
+}
+
+view::Contrast contrast_of(PlayGame const& game) {
+    return game.preferences.high_contrast ? view::Contrast::high : view::Contrast::usual;
+}
+
+// What is written over a scene.
+void add_written(PlayGame const& game, view::Picture& picture, std::vector<view::Shape> more) {
+    if (contrast_of(game) == view::Contrast::high) more = view::in_high_contrast(std::move(more));
+    for (view::Shape& shape : more) picture.shapes.emplace_back(std::move(shape));
 }
 
 double briefing_presence(PlayGame const& game) {
     if (game.replay_end || game.file != game.stage->level.file) return 0;
     if (game.waiting) return std::min(1.0, game.wall_time / briefing_fading);
     return 1 - (game.wall_time - game.started_at) / briefing_fading;
+}
+
+view::Wording wording_of(PlayGame const& game) {
+    return {language_of(game), key_of(game, KeyAction::tilt_left), key_of(game, KeyAction::tilt_right)};
 }
 
 struct Seen {
@@ -109,7 +123,8 @@ Seen seen_ball(PlayGame const& game, view::Camera const& camera, view::Moment co
 // What the player has yet to learn, shown while the world waits: first the pull, then the tilt.
 std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const& camera, view::Moment const& moment) {
     level::Level const& level = game.stage->level;
-    if (!game.waiting || flight_of(game) > 0) return {};
+    bool const is_covered = game.menu_row || game.settings || game.help;
+    if (!game.waiting || is_covered || flight_of(game) > 0) return {};
     double const unit = view::hud_scale(game.size);
     if (level.drag_reach > 0 && !game.learnt.contains(game::Lesson::pull)) {
         Seen const ball = seen_ball(game, camera, moment, level.player);
@@ -117,7 +132,7 @@ std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const&
         return view::pulling_hand_shapes(ball.centre, Vec2(side, -0.45) * hand_way * unit, game.wall_time, unit);
     }
     if (level.tilt_limit > 0 && !game.learnt.contains(game::Lesson::tilt))
-        return view::tilting_keys_shapes(game.wall_time, game.size);
+        return view::tilting_keys_shapes(game.wall_time, game.size, wording_of(game));
     return {};
 }
 
@@ -125,7 +140,7 @@ std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const&
 view::Side side_of_briefing(PlayGame const& game) {
     level::Level const& level = game.stage->level;
     if (!game.waiting && briefing_presence(game) <= 0) return view::Side::lower;
-    view::Camera const camera = view::camera_of(game.session, 0, game.size, view::Turning::never, game.lens);
+    view::Camera const camera = view::camera_of(game.session, 0, game.size, view::Turning::never, lens_of(game));
     Vec2 const start = level.scene.balls[static_cast<std::size_t>(level.player)].start.position;
     return view::pixel_of(camera, start).y() > low_ball * game.size.y() ? view::Side::upper : view::Side::lower;
 }
@@ -140,23 +155,43 @@ std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const&
     return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle - view::turn_of(camera));
 }
 
+// What lies over any screen: settings, help, and a message, or the fault that stands in its place.
+std::vector<view::Shape> cover_shapes(PlayGame const& game, std::string const& fault = {}, double lift = 0) {
+    std::vector<view::Shape> shapes;
+    auto const add = [&](std::vector<view::Shape> more) {
+        for (view::Shape& shape : more) shapes.emplace_back(std::move(shape));
+    };
+    if (game.settings) add(settings_shapes(game));
+    if (game.help) add(help_shapes(game));
+    if (game.settings && fault.empty()) return shapes;  // its page tells messages
+    add(fault.empty() ? view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size, lift)
+                      : view::toast_shapes(fault, 1, game.size, lift));
+    return shapes;
+}
+
 }  // namespace
 
 view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
     view::Moment const moment = moment_of(game, camera);
     view::Dressing dressing;
     dressing.overlays = game.overlays;
-    dressing.ending = {ending_hint(moment), game.best_before};
+    dressing.ending = ending_note(game, moment);
+    dressing.motion = motion_of(game);
+    dressing.contrast = contrast_of(game);
     dressing.pointer = game.held ? game.held : game.pointer;
     bool const is_title = game.screen == Screen::title;
+    game::Language const language = language_of(game);
     if (is_title) dressing.lettering = view::Lettering::none;
     view::Picture picture = view::picture_of(*game.stage, moment, camera, dressing);
-    auto const add = [&](std::vector<view::Shape> more) {
-        for (view::Shape& shape : more) picture.shapes.emplace_back(std::move(shape));
-    };
+    auto const add = [&](std::vector<view::Shape> more) { add_written(game, picture, std::move(more)); };
     if (is_title) {
-        add(view::title_shapes(present_time(game), game.size));
-        if (game.help) add(view::help_shapes(key_help(), game.size));
+        add(view::title_shapes(game.preferences.reduced_motion ? 0 : present_time(game), game.size,
+                               game::words(Text::title_start, language),
+                               game::words(Text::title_keys, language,
+                                           {key_of(game, KeyAction::levels), key_of(game, KeyAction::help),
+                                            key_of(game, KeyAction::full_screen)})));
+        add(view::corner_button_shapes(settings_button(game), game.size));
+        add(cover_shapes(game));
         return picture;
     }
     if (game.ghost) add(ghost_shapes(game, *game.ghost, camera));
@@ -168,18 +203,30 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
         }
     double const presence = briefing_presence(game);
     view::Side const side = side_of_briefing(game);
-    add(view::briefing_shapes(game.stage->level, presence, game.size, side));
+    add(view::briefing_shapes(game.stage->level, presence, game.size, side, wording_of(game)));
     add(lesson_shapes(game, camera, moment));
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
     if (shows_timeline(game)) add(view::timeline_shapes(timeline_of(game), game.size));
     bool const in_fault = !game.fault.empty() && game.toast.left <= 0;
     double const lift = presence > 0 && side == view::Side::lower ? lift_over_briefing * view::hud_scale(game.size) : 0;
-    add(in_fault ? view::toast_shapes(game.fault, 1, game.size, lift)
-                 : view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size, lift));
-    if (game.menu_row) add(menu_shapes(game));
-    if (game.help) add(view::help_shapes(key_help(), game.size));
+    if (game.menu_row && !game.settings) add(menu_shapes(game));
+    add(cover_shapes(game, in_fault ? game.fault : std::string(), lift));
     return picture;
+}
+
+view::Picture picture_of(PlayGame const& game, Picker const& picker) {
+    view::Picture picture = view::picker_picture(picker.tiles, picker.chosen, game.size, language_of(game));
+    auto const add = [&](std::vector<view::Shape> more) { add_written(game, picture, std::move(more)); };
+    add(view::corner_button_shapes(settings_button(game), game.size));
+    add(cover_shapes(game));
+    return picture;
+}
+
+bool is_on_film_button(PlayGame const& game, Vec2 const& pixel) {
+    if (!is_card_open(game) || !game.session.goal_time) return false;
+    view::Moment const moment = view::moment_of(game.session, shown_time(game), view::Recall::nothing);
+    return view::is_on_film_button(game.stage->level, moment, pixel, game.size, ending_note(game, moment));
 }
 
 }  // namespace app

@@ -5,12 +5,14 @@
 #include <stdexcept>
 
 #include "app/assets.h"
-#include "app/play_menu.h"
+#include "app/play_settings.h"
 #include "app/play_sound.h"
 
 namespace app {
 
 namespace {
+
+using game::KeyAction;
 
 bool is_same_file(std::string const& a, std::string const& b) {
     std::error_code none;
@@ -34,6 +36,10 @@ std::size_t first_unfinished(Tour const& tour) {
 
 }  // namespace
 
+std::string settings_button(PlayGame const& game) {
+    return game::words(game::Text::menu_settings, language_of(game)) + "  " + key_of(game, KeyAction::settings);
+}
+
 Vec2 pixel_at(int x, int y, screen::Window const& window) { return Vec2(x, y) * window.pixel_ratio(); }
 
 void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& window) {
@@ -45,22 +51,26 @@ void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& win
 
 void open_picker(PlayGame& game, Tour& tour, screen::Window& window) {
     window.release_pointer();
-    lose_focus(game);
+    release(game);
     tour.picker = picker_of(tour.files, tour.at);
 }
 
-bool press_sound_key(SDL_Keycode key, PlayGame& game) {
-    switch (key) {
-        case SDLK_m:
+bool press_anywhere(Press const& press, PlayGame& game, screen::Window& window) {
+    if (!press.action) return false;
+    switch (*press.action) {
+        case KeyAction::help:
+            game.help = !game.help;
+            return true;
+        case KeyAction::full_screen:
+            window.toggle_fullscreen();
+            return true;
+        case KeyAction::mute:
             toggle_mute(game);
             return true;
-        case SDLK_MINUS:
-        case SDLK_KP_MINUS:
+        case KeyAction::softer:
             turn_volume(game, -1);
             return true;
-        case SDLK_PLUS:
-        case SDLK_EQUALS:
-        case SDLK_KP_PLUS:
+        case KeyAction::louder:
             turn_volume(game, 1);
             return true;
         default:
@@ -68,84 +78,76 @@ bool press_sound_key(SDL_Keycode key, PlayGame& game) {
     }
 }
 
-bool listen_on_picker(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
+KeyCommand press_in_picker(Press const& press, PlayGame& game, Tour& tour, screen::Window& window) {
     Picker& picker = *tour.picker;
-    if (event.type == SDL_MOUSEMOTION) {
-        Vec2 const pixel = pixel_at(event.motion.x, event.motion.y, window);
-        picker.chosen = tile_at(picker, pixel, game.size).value_or(picker.chosen);
-        return true;
-    }
-    if (event.type == SDL_MOUSEBUTTONDOWN) {
-        Vec2 const pixel = pixel_at(event.button.x, event.button.y, window);
-        auto const tile = tile_at(picker, pixel, game.size);
-        if (tile) picker.chosen = *tile;
-        if (tile) play_choice(game, tour, window);
-        return true;
-    }
-    if (event.type == SDL_MOUSEWHEEL) {
-        move_choice(picker, 0, event.wheel.y > 0 ? -1 : 1);
-        return true;
-    }
-    if (event.type != SDL_KEYDOWN) return false;
-    switch (event.key.keysym.sym) {
-        case SDLK_LEFT:
-        case SDLK_a:
+    std::optional<Move> move = press.move;
+    if (!move && press.action == KeyAction::tilt_left) move = Move::left;
+    if (!move && press.action == KeyAction::tilt_right) move = Move::right;
+    if (!move && press.action == KeyAction::quit) return KeyCommand::quit;
+    if (!move && (press.action == KeyAction::levels || press.action == KeyAction::menu)) move = Move::back;
+    if (!move) return KeyCommand::stay;
+    switch (*move) {
+        case Move::left:
             move_choice(picker, -1, 0);
             break;
-        case SDLK_RIGHT:
-        case SDLK_d:
+        case Move::right:
             move_choice(picker, 1, 0);
             break;
-        case SDLK_UP:
+        case Move::up:
             move_choice(picker, 0, -1);
             break;
-        case SDLK_DOWN:
+        case Move::down:
             move_choice(picker, 0, 1);
             break;
-        case SDLK_RETURN:
-        case SDLK_KP_ENTER:
-        case SDLK_SPACE:
+        case Move::choose:
             play_choice(game, tour, window);
             break;
-        case SDLK_ESCAPE:
-        case SDLK_l:
+        case Move::back:
             tour.picker.reset();
             break;
-        case SDLK_F11:
-            window.toggle_fullscreen();
-            break;
-        default:
-            return event.key.keysym.sym != SDLK_q;
     }
-    return true;
+    return KeyCommand::stay;
 }
 
-KeyCommand listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
-    bool const clicked = event.type == SDL_MOUSEBUTTONDOWN;
-    if (!clicked && (event.type != SDL_KEYDOWN || event.key.repeat != 0)) return KeyCommand::stay;
-    SDL_Keycode const key = clicked ? SDLK_RETURN : event.key.keysym.sym;
-    if (key == SDLK_q || (key == SDLK_ESCAPE && !game.help)) return KeyCommand::quit;
-    if (!clicked && press_sound_key(key, game)) return KeyCommand::stay;
-    if (key == SDLK_F1 || key == SDLK_ESCAPE)
-        game.help = !game.help;
-    else if (key == SDLK_l)
+void point_in_picker(Vec2 const& pixel, PlayGame const& game, Tour& tour) {
+    tour.picker->chosen = tile_at(*tour.picker, pixel, game.size).value_or(tour.picker->chosen);
+}
+
+void click_in_picker(Vec2 const& pixel, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (view::is_on_corner_button(settings_button(game), pixel, game.size)) return open_settings(game);
+    Picker& picker = *tour.picker;
+    if (int const way = view::scroll_at(picker.tiles.size(), picker.chosen, pixel, game.size); way != 0)
+        return scroll_picker(picker, way);
+    auto const tile = tile_at(*tour.picker, pixel, game.size);
+    if (!tile) return;
+    tour.picker->chosen = *tile;
+    play_choice(game, tour, window);
+}
+
+KeyCommand press_on_title(Press const& press, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (press.repeats) return KeyCommand::stay;
+    if (press.action == KeyAction::quit || press.action == KeyAction::menu || press.move == Move::back)
+        return KeyCommand::quit;
+    if (press.action == KeyAction::levels)
         open_picker(game, tour, window);
-    else if (key == SDLK_F11)
-        window.toggle_fullscreen();
     else
         go_to_level(game, tour, first_unfinished(tour), window);
     return KeyCommand::stay;
 }
 
-KeyCommand listen_on_menu(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window) {
-    int x = 0, y = 0;
-    SDL_GetMouseState(&x, &y);
-    if (event.type == SDL_MOUSEMOTION) x = event.motion.x, y = event.motion.y;
-    if (event.type == SDL_MOUSEBUTTONDOWN) x = event.button.x, y = event.button.y;
-    auto const choice = choose_in_menu(game, event, pixel_at(x, y, window));
+void click_on_title(Vec2 const& pixel, PlayGame& game, Tour& tour, screen::Window& window) {
+    if (view::is_on_corner_button(settings_button(game), pixel, game.size)) return open_settings(game);
+    go_to_level(game, tour, first_unfinished(tour), window);
+}
+
+KeyCommand follow_choice(std::optional<Choice> const& choice, PlayGame& game, Tour& tour, screen::Window& window) {
     if (!choice) return KeyCommand::stay;
     if (*choice == Choice::sound) {
         toggle_mute(game);
+        return KeyCommand::stay;
+    }
+    if (*choice == Choice::settings) {
+        open_settings(game);
         return KeyCommand::stay;
     }
     close_menu(game);
@@ -153,15 +155,6 @@ KeyCommand listen_on_menu(SDL_Event const& event, PlayGame& game, Tour& tour, sc
     if (*choice == Choice::again) restart(game);
     if (*choice == Choice::levels) open_picker(game, tour, window);
     return KeyCommand::stay;
-}
-
-bool is_for_menu(SDL_Event const& event) {
-    if (event.type == SDL_KEYDOWN) {
-        SDL_Keycode const key = event.key.keysym.sym;
-        return key != SDLK_F1 && key != SDLK_F11 && key != SDLK_m && key != SDLK_MINUS && key != SDLK_PLUS &&
-               key != SDLK_EQUALS;
-    }
-    return event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL;
 }
 
 Tour tour_from(std::string const& file) {

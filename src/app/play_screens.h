@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <SDL.h>
-
+#include "app/play_actions.h"
 #include "app/play_game.h"
+#include "app/play_menu.h"
 #include "app/play_picker.h"
 #include "screen/window.h"
 
@@ -36,15 +36,24 @@ Vec2 pixel_at(int x, int y, screen::Window const& window);
 void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& window);
 void open_picker(PlayGame& game, Tour& tour, screen::Window& window);
 
-// Whether the event was the picker's.
-bool listen_on_picker(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
-// Under the title nearly every key starts the game.
-KeyCommand listen_on_title(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
-KeyCommand listen_on_menu(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Window& window);
-// Whether the menu takes the event, and nothing else does.
-bool is_for_menu(SDL_Event const& event);
+// What the button says that opens the settings, on the title and over the levels.
+std::string settings_button(PlayGame const& game);
 
-// Whether the key was one of those for the sound.
-bool press_sound_key(SDL_Keycode key, PlayGame& game);
+// What means the same on every screen: help, full screen and sound. Whether it was one of these.
+bool press_anywhere(Press const& press, PlayGame& game, screen::Window& window);
+
+KeyCommand press_in_picker(Press const& press, PlayGame& game, Tour& tour, screen::Window& window);
+void point_in_picker(Vec2 const& pixel, PlayGame const& game, Tour& tour);
+void click_in_picker(Vec2 const& pixel, PlayGame& game, Tour& tour, screen::Window& window);
+
+// Under the title nearly every key starts the game.
+KeyCommand press_on_title(Press const& press, PlayGame& game, Tour& tour, screen::Window& window);
+void click_on_title(Vec2 const& pixel, PlayGame& game, Tour& tour, screen::Window& window);
+
+// The picker, and what lies over it.
+view::Picture picture_of(PlayGame const& game, Picker const& picker);
+
+// Does what was chosen in the menu.
+KeyCommand follow_choice(std::optional<Choice> const& choice, PlayGame& game, Tour& tour, screen::Window& window);
 
 }  // namespace app

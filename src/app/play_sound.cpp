@@ -4,7 +4,7 @@
 #include <cmath>
 #include <exception>
 
-#include "app/output.h"
+#include "app/play_settings.h"
 #include "sound/hear.h"
 
 namespace app {
@@ -18,15 +18,8 @@ double gain_of(game::Preferences const& preferences) {
     return preferences.muted ? 0 : preferences.volume * preferences.volume;
 }
 
-bool stands_still(PlayGame const& game) { return game.pace.paused || game.looked_at || game.help || game.menu_row; }
-
-void keep_preferences(PlayGame& game) {
-    try {
-        if (auto const aside = game::keep(game.preferences))
-            note("smb2d: the preferences could not be read; they are kept as " + aside->string());
-    } catch (std::exception const& error) {
-        note(std::string("smb2d: ") + error.what());
-    }
+bool stands_still(PlayGame const& game) {
+    return game.pace.paused || game.looked_at || game.help || game.menu_row || game.settings;
 }
 
 }  // namespace
@@ -63,13 +56,13 @@ void turn_volume(PlayGame& game, int steps) {
 void set_volume(PlayGame& game, double volume) {
     game.preferences.volume = std::clamp(std::round(volume * volume_steps) / volume_steps, 0.0, 1.0);
     game.preferences.muted = false;
-    say(game, "Volume: " + std::to_string(std::lround(game.preferences.volume * 100)) + " %");
+    say(game, game::Text::volume_is, {std::to_string(std::lround(game.preferences.volume * 100))});
     keep_preferences(game);
 }
 
 void toggle_mute(PlayGame& game) {
     game.preferences.muted = !game.preferences.muted;
-    say(game, game.preferences.muted ? "Muted" : "Sound on");
+    say(game, game.preferences.muted ? game::Text::muted : game::Text::sound_on);
     keep_preferences(game);
 }
 

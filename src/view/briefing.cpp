@@ -10,6 +10,10 @@
 
 namespace view {
 
+using game::Language;
+using game::Text;
+using game::words;
+
 namespace {
 
 constexpr double full_circle = 2 * 3.14159265358979;
@@ -30,19 +34,21 @@ void add_rimmed(std::vector<Shape>& shapes, Label label, double rim, Colour cons
     shapes.emplace_back(label);
 }
 
-std::string asked_for(level::Level const& level) {
+std::string asked_for(level::Level const& level, Language language) {
     std::string text;
     auto const add = [&](std::string const& part) { text += (text.empty() ? "" : ",  ") + part; };
-    if (level.pars.time) add(written(*level.pars.time, 0) + " s");
+    if (level.pars.time) add(words(Text::seconds, language, {written(*level.pars.time, 0)}));
     if (level.pars.pulls && level.drag_reach > 0)
-        add(std::to_string(*level.pars.pulls) + (*level.pars.pulls == 1 ? " pull" : " pulls"));
-    if (game::bananas_in(level) > 0) add("all bananas");
-    return text.empty() ? text : "Gold: " + text;
+        add(words(*level.pars.pulls == 1 ? Text::pull : Text::pulls, language, {std::to_string(*level.pars.pulls)}));
+    if (game::bananas_in(level) > 0) add(words(Text::all_bananas, language));
+    return text.empty() ? text : words(Text::asked_gold, language, {text});
 }
 
-std::string verbs_of(level::Level const& level) {
-    if (level.drag_reach <= 0) return level.tilt_limit > 0 ? "left and right: tilt" : "";
-    return level.tilt_limit > 0 ? "drag the ball,  left and right: tilt" : "drag the ball";
+std::string verbs_of(level::Level const& level, Wording const& wording) {
+    std::string const drag = words(Text::verb_drag, wording.language);
+    std::string const tilt = words(Text::verb_tilt, wording.language, {wording.left, wording.right});
+    if (level.drag_reach <= 0) return level.tilt_limit > 0 ? tilt : "";
+    return level.tilt_limit > 0 ? drag + ",  " + tilt : drag;
 }
 
 // A pointing hand whose finger tip is at `tip`; pressed, it is a little smaller.
@@ -75,7 +81,7 @@ std::vector<std::string> lines_of(std::string const& text, std::size_t letters) 
     return lines;
 }
 
-std::vector<Shape> title_shapes(double time, Vec2 const& size) {
+std::vector<Shape> title_shapes(double time, Vec2 const& size, std::string const& call, std::string const& keys) {
     std::vector<Shape> shapes;
     double const unit = hud_scale(size);
     Vec2 const middle(size.x() / 2, 0.33 * size.y());
@@ -92,22 +98,18 @@ std::vector<Shape> title_shapes(double time, Vec2 const& size) {
                Label{middle + Vec2(268 * unit, bob + 104 * unit), 56 * unit, "2D", palette::strain, Anchor::Centre,
                      Weight::bold},
                5 * unit, palette::ink);
-    std::string const call = "Press a key or click to start";
     double const letters = 28 * unit, width = text_width(call) * letters + 60 * unit;
     float const glow = static_cast<float>(0.8 + 0.2 * std::sin(3.2 * time));
     Vec2 const corner((size.x() - width) / 2, 0.72 * size.y());
     shapes.emplace_back(Panel{corner, {width, 52 * unit}, 26 * unit, palette::night});
     shapes.emplace_back(
         Label{{size.x() / 2, corner.y() + 35 * unit}, letters, call, faded(palette::bright, glow), Anchor::Centre});
-    shapes.emplace_back(Label{{size.x() / 2, size.y() - 18 * unit},
-                              17 * unit,
-                              "L: all levels    F1: all keys    F11: full screen    Esc: quit",
-                              palette::bright,
-                              Anchor::Centre});
+    shapes.emplace_back(Label{{size.x() / 2, size.y() - 18 * unit}, 17 * unit, keys, palette::bright, Anchor::Centre});
     return shapes;
 }
 
-std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size, Side side) {
+std::vector<Shape> briefing_shapes(level::Level const& level, double presence, Vec2 const& size, Side side,
+                                   Wording const& wording) {
     std::vector<Shape> shapes;
     if (presence <= 0) return shapes;
     float const alpha = static_cast<float>(std::min(presence, 1.0));
@@ -117,7 +119,7 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
     std::size_t const count = level.hint.size() / most_letters + 1;
     std::vector<std::string> const lines =
         lines_of(level.hint, std::min(most_letters, level.hint.size() / count + slack));
-    std::string const verbs = verbs_of(level), asked = asked_for(level);
+    std::string const verbs = verbs_of(level, wording), asked = asked_for(level, wording.language);
     double const width = std::min(880 * unit, size.x() - 24 * unit);
     double const height = 62 * unit + line * static_cast<double>(lines.size());
     double const below_the_figures = 62 * unit;
@@ -130,12 +132,14 @@ std::vector<Shape> briefing_shapes(level::Level const& level, double presence, V
     }
     at.y() += 4 * unit;
     double const margin = 28 * unit;
+    double const both = text_width(verbs + asked) + 1.5;  // and a gap between them
+    double const small = std::min(letters, (width - 2 * margin) / both);
     if (!verbs.empty())
         shapes.emplace_back(
-            Label{{corner.x() + margin, at.y()}, letters, verbs, faded(palette::turf_lit, alpha), Anchor::Left});
+            Label{{corner.x() + margin, at.y()}, small, verbs, faded(palette::turf_lit, alpha), Anchor::Left});
     if (!asked.empty())
         shapes.emplace_back(
-            Label{{corner.x() + width - margin, at.y()}, letters, asked, faded(palette::gold, alpha), Anchor::Right});
+            Label{{corner.x() + width - margin, at.y()}, small, asked, faded(palette::gold, alpha), Anchor::Right});
     return shapes;
 }
 
@@ -159,7 +163,7 @@ std::vector<Shape> pulling_hand_shapes(Vec2 const& from, Vec2 const& way, double
     return shapes;
 }
 
-std::vector<Shape> tilting_keys_shapes(double time, Vec2 const& size) {
+std::vector<Shape> tilting_keys_shapes(double time, Vec2 const& size, Wording const& wording) {
     std::vector<Shape> shapes;
     double const unit = hud_scale(size), side = 52 * unit;
     double const phase = std::fmod(time, 2.4);
@@ -170,6 +174,13 @@ std::vector<Shape> tilting_keys_shapes(double time, Vec2 const& size) {
         Vec2 const corner = middle - Vec2(side, side) / 2;
         shapes.emplace_back(Panel{corner + Vec2(0, (down ? 2 : 6) * unit), {side, side}, 10 * unit, palette::ink});
         shapes.emplace_back(Panel{corner, {side, side}, 10 * unit, down ? palette::gold : colour(0xeef2f5)});
+        std::string const& key = i == 0 ? wording.left : wording.right;
+        if (key != (i == 0 ? Wording{}.left : Wording{}.right)) {
+            double const letters = std::min(26 * unit, 0.8 * side / std::max(text_width(key), 1e-9));
+            Vec2 const base = middle + Vec2(0, 0.34 * letters);
+            shapes.emplace_back(Label{base, letters, key, palette::ink, Anchor::Centre});
+            continue;
+        }
         Area arrow;
         arrow.rings = {{middle + Vec2(way * 13, 0) * unit, middle + Vec2(-way * 9, -12) * unit,
                         middle + Vec2(-way * 9, 12) * unit}};

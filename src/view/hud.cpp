@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "game/medals.h"
+#include "view/menu.h"
 #include "view/palette.h"
 
 namespace view {
@@ -109,25 +110,26 @@ std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 cons
     return shapes;
 }
 
-std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& size) {
+std::vector<Shape> help_shapes(std::string const& title, std::vector<KeyHelp> const& rows, Vec2 const& size) {
     std::vector<Shape> shapes;
     double const unit = hud_scale(size);
-    double const line = 30 * unit, letters = 18 * unit;
-    Vec2 const panel(680 * unit, line * static_cast<double>(rows.size()) + 96 * unit);
+    double const line = 34 * unit, letters = 17 * unit, keys_room = 190 * unit, column = 570 * unit;
+    std::size_t const per_column = (rows.size() + 1) / 2;
+    Vec2 const panel(1200 * unit, line * static_cast<double>(per_column) + 98 * unit);
     Vec2 const corner = (size - panel) / 2;
     shapes.emplace_back(Panel{Vec2::Zero(), size, 0, colour(0x0c1620, 0.35f)});
-    shapes.emplace_back(Panel{corner, panel, 22 * unit, colour(0xfffdf6, 0.96f)});
-    Vec2 at = corner + Vec2(panel.x() / 2, 50 * unit);
-    shapes.emplace_back(Label{at, 30 * unit, "How to play", palette::ink, Anchor::Centre, Weight::bold});
-    at = corner + Vec2(0, 88 * unit);
-    for (KeyHelp const& row : rows) {
-        double const wide = std::max(44.0 * unit, text_width(row.keys) * letters + 22 * unit);
-        Vec2 const cap(corner.x() + 210 * unit - wide, at.y() - 19 * unit);
-        shapes.emplace_back(Panel{cap + Vec2(0, 2 * unit), {wide, 26 * unit}, 7 * unit, colour(0xb9c3cb)});
-        shapes.emplace_back(Panel{cap, {wide, 25 * unit}, 7 * unit, colour(0xe8eef2)});
-        shapes.emplace_back(Label{{cap.x() + wide / 2, at.y()}, letters, row.keys, palette::ink, Anchor::Centre});
-        shapes.emplace_back(Label{{corner.x() + 232 * unit, at.y()}, letters, row.meaning, palette::ink, Anchor::Left});
-        at.y() += line;
+    shapes.emplace_back(Panel{corner, panel, 24 * unit, colour(0xfffdf6, 0.96f)});
+    Vec2 const heading = corner + Vec2(panel.x() / 2, 50 * unit);
+    shapes.emplace_back(Label{heading, 30 * unit, title, palette::ink, Anchor::Centre, Weight::bold});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        KeyHelp const& row = rows[i];
+        double const left = corner.x() + 30 * unit + static_cast<double>(i / per_column) * column;
+        double const middle = corner.y() + 90 * unit + static_cast<double>(i % per_column) * line;
+        add_key_caps(shapes, row.keys, left + keys_room, middle, keys_room, letters);
+        double const room = column - keys_room - 24 * unit;
+        double const height = std::min(letters, room / std::max(text_width(row.meaning), 1e-9));
+        Vec2 const at(left + keys_room + 14 * unit, middle + 0.34 * letters);
+        shapes.emplace_back(Label{at, height, row.meaning, palette::ink, Anchor::Left});
     }
     return shapes;
 }

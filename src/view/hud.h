@@ -20,9 +20,11 @@ std::vector<Shape> heading_shapes(level::Level const& level, Moment const& momen
 std::vector<Shape> tilt_shapes(level::Level const& level, double tilt, Vec2 const& size);
 
 struct KeyHelp {
-    std::string keys, meaning;
+    std::vector<std::string> keys;
+    std::string meaning;
 };
-std::vector<Shape> help_shapes(std::vector<KeyHelp> const& rows, Vec2 const& size);
+// In two columns, from the top down.
+std::vector<Shape> help_shapes(std::string const& title, std::vector<KeyHelp> const& rows, Vec2 const& size);
 
 // A line at the lower edge, or `lift` pixels higher; presence fades it, 1 to 0.
 std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size, double lift = 0);

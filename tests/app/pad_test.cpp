@@ -74,18 +74,53 @@ TEST_CASE("stick, triggers and cross lean to their side, and the one that is pus
 }
 
 TEST_CASE("a button means what its place makes of it") {
-    using app::key_for;
-    for (Place const place : {Place::title, Place::card, Place::picker, Place::menu})
-        CHECK(key_for(SDL_CONTROLLER_BUTTON_A, place) == SDLK_RETURN);
-    CHECK(key_for(SDL_CONTROLLER_BUTTON_A, Place::waiting) == SDLK_SPACE);
-    CHECK(!key_for(SDL_CONTROLLER_BUTTON_A, Place::game));
-    for (Place const place : {Place::waiting, Place::game, Place::menu})
-        CHECK(key_for(SDL_CONTROLLER_BUTTON_START, place) == SDLK_ESCAPE);
-    CHECK(key_for(SDL_CONTROLLER_BUTTON_START, Place::card) == SDLK_RETURN);
-    CHECK(key_for(SDL_CONTROLLER_BUTTON_B, Place::menu) == SDLK_ESCAPE);
-    CHECK(!key_for(SDL_CONTROLLER_BUTTON_B, Place::game));
-    CHECK(key_for(SDL_CONTROLLER_BUTTON_DPAD_DOWN, Place::picker) == SDLK_DOWN);
-    CHECK(!key_for(SDL_CONTROLLER_BUTTON_DPAD_LEFT, Place::game));  // it leans
+    using app::Move;
+    using game::KeyAction;
+    auto const action = [](SDL_GameControllerButton button, Place place) {
+        auto const press = app::press_for(button, place);
+        return press ? press->action : std::nullopt;
+    };
+    auto const move = [](SDL_GameControllerButton button, Place place) {
+        auto const press = app::press_for(button, place);
+        return press ? press->move : std::nullopt;
+    };
+    for (Place const place : {Place::title, Place::picker, Place::menu, Place::settings})
+        CHECK(move(SDL_CONTROLLER_BUTTON_A, place) == Move::choose);
+    CHECK(action(SDL_CONTROLLER_BUTTON_A, Place::card) == KeyAction::go_on);
+    CHECK(action(SDL_CONTROLLER_BUTTON_A, Place::waiting) == KeyAction::pause);
+    CHECK(!app::press_for(SDL_CONTROLLER_BUTTON_A, Place::game));
+    for (Place const place : {Place::waiting, Place::game})
+        CHECK(action(SDL_CONTROLLER_BUTTON_START, place) == KeyAction::menu);
+    for (Place const place : {Place::menu, Place::settings}) {
+        CHECK(move(SDL_CONTROLLER_BUTTON_START, place) == Move::back);
+        CHECK(move(SDL_CONTROLLER_BUTTON_B, place) == Move::back);
+    }
+    CHECK(action(SDL_CONTROLLER_BUTTON_START, Place::card) == KeyAction::go_on);
+    for (Place const place : {Place::title, Place::picker, Place::menu})
+        CHECK(action(SDL_CONTROLLER_BUTTON_Y, place) == KeyAction::settings);
+    CHECK(!app::press_for(SDL_CONTROLLER_BUTTON_B, Place::game));
+    CHECK(move(SDL_CONTROLLER_BUTTON_DPAD_DOWN, Place::picker) == Move::down);
+    CHECK(move(SDL_CONTROLLER_BUTTON_DPAD_LEFT, Place::settings) == Move::left);
+    CHECK(!app::press_for(SDL_CONTROLLER_BUTTON_DPAD_LEFT, Place::game));  // it leans
+}
+
+TEST_CASE("SDL knows every key that an action comes with, by that name, and others in any case") {
+    for (game::ActionRow const& row : game::actions())
+        for (std::string const& key : row.keys) CHECK(app::canonical_key(key) == key);
+    CHECK(app::canonical_key("space") == "Space");
+    CHECK(app::canonical_key("q") == "Q");
+    CHECK(app::canonical_key("Spcae").empty());
+    CHECK(app::canonical_key("").empty());
+}
+
+TEST_CASE("a key is pressed as what it stands for now, and moves in lists whatever that is") {
+    SDL_KeyboardEvent event{};
+    event.keysym.sym = SDLK_RETURN;
+    game::Bindings const bindings = game::rebound(game::usual_bindings(), game::KeyAction::save, "Return").bindings;
+    app::Press const press = app::press_of(event, bindings);
+    CHECK(press.action == game::KeyAction::save);
+    CHECK(press.move == app::Move::choose);
+    CHECK(press.key == "Return");
 }
 
 TEST_CASE("a pad that is plugged in leans, and is missed when it is pulled out") {

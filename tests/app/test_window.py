@@ -54,8 +54,12 @@ class Window(ProgramTest):
         """Without files: the level above."""
         self.display = Display(self)
         files = files or [self.file("floor.svg", LEVEL.format(""))]
+        self.play(*files, renderer=renderer)
+
+    def play(self, *files, renderer="software", **changes):
+        """On the display that there is; without files, the title."""
         self.game = self.start("play", *files, "--renderer", renderer, "--size", f"{WIDTH}x{HEIGHT}",
-                               changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11"})
+                               changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11", "LC_ALL": "C", **changes})
         self.window = until(self.find_window, "the window", self.game)
         until(lambda: len(set(self.screenshot())) > 50, "the first picture", self.game)
 
@@ -192,7 +196,7 @@ class Window(ProgramTest):
         self.assertAlmostEqual(last["move"]["x"], ball[0] + math.cos(angle), delta=0.02)
         self.assertAlmostEqual(last["move"]["y"], ball[1] + math.sin(angle), delta=0.02)
 
-    def test_losing_the_focus_lets_go_of_the_ball(self):
+    def test_losing_the_focus_lets_go_of_the_ball_and_pauses(self):
         self.open("software")
         self.pointer("windowfocus", "--sync", self.window)
         air = self.patch(TARGET)
@@ -201,10 +205,19 @@ class Window(ProgramTest):
         self.move_to(TARGET)
         until(lambda: self.differs(air, TARGET), "the ball to be seen at the pointer", self.game)
         self.pointer("windowfocus", 0)  # nobody's
-        until(lambda: not self.differs(air, TARGET), "the ball to fall when the focus goes", self.game)
+        run = self.save()
+        paused_at = json.loads(run.read_text())["duration"]
+        self.assertIn("release", self.inputs(run)[-1])
+        run.unlink()
+        self.assertTrue(self.differs(air, TARGET))  # it hangs in the air
+        run = self.save()
+        self.assertEqual(json.loads(run.read_text())["duration"], paused_at)
+        run.unlink()
         self.move_to(START)  # the button is still down
         self.pointer("mouseup", 1)
         self.pointer("windowfocus", "--sync", self.window)
+        self.press_key("space")
+        until(lambda: not self.differs(air, TARGET), "the ball to fall when the game goes on", self.game)
         self.move_to(TARGET)
         run = self.save()
         self.close()
@@ -356,11 +369,42 @@ class Window(ProgramTest):
         until(goes_on, "the next level", self.game)
         self.assertEqual(json.loads(self.save().read_text())["duration"], 0)
 
+    def test_the_button_on_the_card_films_the_run(self):
+        self.open("software", self.file("goal.svg", LEVEL.format(GOAL)))
+        self.move_to(START)
+        self.pointer("mousedown", 1)
+        self.move_to((6.5, 5))
+        until((self.folder / "data/smb2d/best.json").exists, "the goal", self.game)
+        self.pointer("mouseup", 1)
+        self.pointer("sleep", 1)  # the card is open
+        # A card of one line, the hint: 540 by 160 + 30 + 48, its button 36 high, 4 above where the lines end.
+        unit = HEIGHT / 720
+        card = max(62 * unit, 0.36 * HEIGHT - 238 / 2 * unit)
+        name = self.display.run("xdotool", "getwindowname", self.window)
+        self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(card + (186 + 18) * unit), "click", 1)
+        until(lambda: list((self.folder / "data").rglob("*.mp4")), "the film", self.game)
+        self.assertEqual(self.display.run("xdotool", "getwindowname", self.window), name)  # it did not go on
+
+    def test_the_picker_scrolls_by_its_arrow(self):
+        levels = self.folder / "levels"
+        levels.mkdir()
+        for i in range(17):
+            (levels / f"{i:02}.svg").write_text(SMALL_LEVEL)
+        (levels / "17.svg").write_text(SMALL_LEVEL.replace("<title>Small", "<title>The last"))
+        self.open("software", levels)
+        unit = HEIGHT / 720
+        click = lambda x, y: self.pointer("mousemove", "--window", self.window, round(WIDTH / 2 + x * unit),
+                                          round(y * unit), "click", 1)
+        for _ in range(2):  # five rows, of which three are seen
+            before = self.screenshot()
+            click(617, 636)
+            until(lambda: self.screenshot() != before, "the next row", self.game)
+        click(-596 + 304 + 100, 92 + 2 * 200 + 60)  # the second tile of the last row
+        until(lambda: b"The last" in self.display.run("xdotool", "getwindowname", self.window), "the level", self.game)
+
     def test_the_title_starts_the_first_level_by_a_key(self):
         self.display = Display(self)
-        self.game = self.start("play", "--renderer", "software", "--size", f"{WIDTH}x{HEIGHT}",
-                               changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11"})
-        self.window = until(self.find_window, "the window", self.game)
+        self.play()
         first = self.screenshot()
         until(lambda: self.screenshot() != first, "the title to move", self.game)
         self.press_key("F5")  # is a key as any other: starts, and saves nothing
@@ -396,8 +440,8 @@ class Window(ProgramTest):
         self.press_key("m")
         until(lambda: self.loudest_from_now() == 0, "silence", self.game)
         kept = self.folder / "data/smb2d/preferences.json"
-        self.assertEqual(json.loads(until(lambda: kept.exists() and kept.read_text(), "the choice to be kept")),
-                         {"volume": 0.8, "muted": True})
+        choice = json.loads(until(lambda: kept.exists() and kept.read_text(), "the choice to be kept"))
+        self.assertEqual((choice["volume"], choice["muted"]), (0.8, True))
         self.press_key("m")
         until(lambda: self.loudest_from_now() > 0.005, "the tune to come back", self.game)
         self.press_key("space")
@@ -476,17 +520,139 @@ class Window(ProgramTest):
     def test_the_pointer_chooses_in_the_menu(self):
         self.open("software")
         self.open_menu()
-        row = lambda i: HEIGHT / 2 + (i - 2) * 68 * HEIGHT / 720 + 25 * HEIGHT / 720
+        row = lambda i: HEIGHT / 2 + (i - 2.5) * 68 * HEIGHT / 720 + 25 * HEIGHT / 720
         kept = self.folder / "data/smb2d/preferences.json"
         self.pointer("mousemove", "--window", self.window, WIDTH // 2 - 120, round(row(3)), "click", 1)
         until(lambda: kept.exists() and json.loads(kept.read_text())["muted"], "the sound to be off", self.game)
-        self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(row(4)), "click", 1)
+        self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(row(5)), "click", 1)
         self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
+
+    def preferences(self):
+        kept = self.folder / "data/smb2d/preferences.json"
+        return json.loads(kept.read_text()) if kept.exists() else {}
+
+    def wait_for_preference(self, name, value):
+        until(lambda: self.preferences().get(name) == value, f"{name} to be {value}", self.game)
+
+    def press_keys(self, *keys):
+        """One after the other, each shown before the next is pressed."""
+        for key in keys:
+            before = self.screenshot()
+            self.press_key(key)
+            until(lambda: self.screenshot() != before, f"what {key} changes", self.game)
+
+    def test_the_page_of_settings_is_worked_by_keys(self):
+        self.open("software")
+        self.open_menu()
+        self.press_keys("Up", "Up", "Return", "Down")  # settings; its second row
+        self.press_key("Left")
+        self.wait_for_preference("volume", 0.7)
+        self.press_keys("Down")
+        for row, value in [("muted", True), ("turning", False), ("reduced_motion", True), ("high_contrast", True),
+                           ("language", "english")]:
+            self.press_key("Return")
+            self.wait_for_preference(row, value)
+            if row != "language":
+                self.press_keys("Down")
+        self.press_keys("Left")
+        self.wait_for_preference("language", "system")
+        self.press_keys("Escape", "Escape")  # back to the menu, and to the game
+        self.assertEqual(json.loads(self.save().read_text())["duration"], 0)
+
+    def on_card(self, form, rows, row, share=0.5):
+        """Where a row of a card is, in pixels: (width, columns, row, gap, below) as in src/view/menu.h."""
+        width, columns, high, gap, below = form
+        unit, per_column = HEIGHT / 720, math.ceil(rows / columns)
+        tall = 84 + per_column * (high + gap) - gap + below
+        wide = (width - 68 - 20 * (columns - 1)) / columns
+        x = WIDTH / 2 + (-width / 2 + 34 + row // per_column * (wide + 20) + share * wide) * unit
+        y = HEIGHT / 2 + (-tall / 2 + 84 + row % per_column * (high + gap) + high / 2) * unit
+        return round(x), round(y)
+
+    def click_row(self, *where, **options):
+        self.pointer("mousemove", "--window", self.window, *self.on_card(*where, **options), "click", 1)
+
+    SETTINGS, KEYS = (640, 1, 50, 8, 62), (1200, 2, 34, 6, 58)
+
+    def test_the_page_of_settings_is_worked_by_the_pointer(self):
+        self.open("software")
+        self.press_keys("F2")
+        self.click_row(self.SETTINGS, 8, 1, share=(572 - 28 - 90) / 572)  # the middle of the bar
+        self.wait_for_preference("volume", 0.5)
+        for row, name, value in [(2, "muted", True), (3, "turning", False), (4, "reduced_motion", True),
+                                 (5, "high_contrast", True), (6, "language", "english")]:
+            self.click_row(self.SETTINGS, 8, row)
+            self.wait_for_preference(name, value)
+        before = self.screenshot()
+        self.click_row(self.SETTINGS, 8, 0)
+        until(lambda: self.screenshot() != before, "the page of keys", self.game)
+        self.click_row(self.KEYS, 27, 18)  # save
+        self.press_key("F9")
+        self.wait_for_preference("keys", {"save": ["F9"]})
+        self.click_row(self.KEYS, 27, 25)  # all as they came
+        self.wait_for_preference("keys", {})
+
+    def test_a_key_that_is_chosen_holds_after_a_restart_and_esc_leaves_it_as_it_was(self):
+        self.open("software")
+        self.press_keys("F2", "Return", "Right", "Down", "Down", "Down", "Down")  # keys: save, in the second column
+        self.press_keys("Return", "Escape", "Return")
+        self.assertEqual(self.preferences(), {})
+        self.press_key("o")
+        self.wait_for_preference("keys", {"save": ["O"], "overlay": ["F5"]})
+        self.close()
+        self.play(self.file("floor.svg", LEVEL.format("")))
+        self.press_key("o")
+        until(lambda: any(b'"final"' in path.read_bytes() for path in (self.folder / "data").rglob("*.json")),
+              "the run that O saves", self.game)
+        self.assertEqual(self.game.poll(), None)
+
+    def test_a_key_that_does_not_exist_is_told_in_one_line(self):
+        self.file("data/smb2d/preferences.json", '{"keys": {"pause": ["Spcae"]}}')
+        self.open("software")
+        self.press_key("q")
+        _, stderr = self.game.communicate(timeout=PATIENCE)
+        self.assertEqual(self.game.returncode, 0)
+        self.assert_one_line(stderr, 'preferences.json: keys: pause: there is no key "Spcae"')
+
+    def test_the_title_opens_the_settings_by_its_button(self):
+        self.display = Display(self)
+        self.play()
+        self.pointer("mousemove", "--window", self.window, WIDTH - 30, 25, "click", 1)
+        until(lambda: self.screenshot() == self.screenshot(), "the title to stand still", self.game)
+        self.click_row(self.SETTINGS, 8, 2)
+        self.wait_for_preference("muted", True)
+
+    def test_the_language_is_that_of_the_settings_else_the_systems(self):
+        self.display = Display(self)
+        level = self.file("floor.svg", LEVEL.format(""))
+        menus = {}
+        for name, locale, chosen in [("english", "C", None), ("by system", "de_DE.UTF-8", None),
+                                     ("by choice", "C", "german"), ("against system", "de_DE.UTF-8", "english")]:
+            self.file("data/smb2d/preferences.json", json.dumps({"language": chosen} if chosen else {}))
+            self.play(level, LC_ALL=locale)
+            self.press_keys("F2")
+            until(lambda: self.screenshot() == self.screenshot(), "the page to stand still", self.game)
+            menus[name] = self.screenshot()
+            self.close()
+        middle = lambda name: [menus[name][y * WIDTH + x] for y in range(80, 480) for x in range(250, 500)]
+        self.assertNotEqual(middle("english"), middle("by system"))
+        self.assertEqual(middle("by system"), middle("by choice"))
+        self.assertEqual(middle("english"), middle("against system"))
 
     def test_closing_the_window_ends_the_program(self):
         self.open("software")
         self.pointer("key", "--window", self.window, "q")
         self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
+
+    def test_what_is_rendered_is_not_changed_by_settings(self):
+        def frame(name):
+            self.done("render", self.small_level, "-o", name, "-s", "64x36", "--to", "0.1", "--fps", "10")
+            return (self.folder / name).read_bytes()
+
+        usual = frame("usual.png")
+        self.file("data/smb2d/preferences.json", json.dumps({"high_contrast": True, "reduced_motion": True,
+                                                             "turning": False, "language": "german"}))
+        self.assertEqual(frame("chosen.png"), usual)
 
     def test_a_press_beside_the_ball_grabs_nothing(self):
         self.open("software")

@@ -3,31 +3,92 @@
 #include <cstdlib>
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
+#include "game/whole_file.h"
 #include "scratch.h"
 
-TEST_CASE("preferences are kept, and what is spoilt is set aside") {
-    game_test::Scratch const scratch;
-    char const* const before = std::getenv("XDG_DATA_HOME");
-    std::string const kept = before ? before : "";
-    setenv("XDG_DATA_HOME", scratch.path("data").c_str(), 1);
+namespace {
 
-    CHECK(game::preferences() == game::Preferences{});
-    CHECK(!game::keep({0.3, true}));
-    CHECK(game::preferences() == game::Preferences{0.3, true});
+// The user's data folder, in a scratch folder while the test lasts.
+struct DataFolder {
+    game_test::Scratch scratch;
+    std::optional<std::string> before;
 
-    std::string const file = "data/smb2d/preferences.json";
-    scratch.file(file, R"({"volume": 7, "muted": true, "of a later program": 1})");
-    CHECK(game::preferences() == game::Preferences{game::Preferences{}.volume, true});
-    scratch.file(file, "{\"volu");
-    CHECK(game::preferences() == game::Preferences{});
-    auto const aside = game::keep({0.5, false});
-    REQUIRE(aside);
-    CHECK(std::filesystem::exists(*aside));
-    CHECK(game::preferences() == game::Preferences{0.5, false});
+    DataFolder() {
+        if (char const* const set = std::getenv("XDG_DATA_HOME")) before = set;
+        setenv("XDG_DATA_HOME", scratch.path("data").c_str(), 1);
+    }
+    ~DataFolder() {
+        if (before)
+            setenv("XDG_DATA_HOME", before->c_str(), 1);
+        else
+            unsetenv("XDG_DATA_HOME");
+    }
+    void write(std::string const& text) const {
+        std::filesystem::create_directories(scratch.path("data/smb2d"));
+        scratch.file("data/smb2d/preferences.json", text);
+    }
+    nlohmann::json content() const {
+        return nlohmann::json::parse(game::read_whole_file(scratch.path("data/smb2d/preferences.json"), 1 << 20));
+    }
+};
 
-    if (before)
-        setenv("XDG_DATA_HOME", kept.c_str(), 1);
-    else
-        unsetenv("XDG_DATA_HOME");
+}  // namespace
+
+TEST_CASE("preferences are kept") {
+    DataFolder const folder;
+    CHECK(game::read_preferences().preferences == game::Preferences{});
+    game::Preferences const other{0.3, true, false, true, true, game::Language::german, {{"pause", {"P", "Space"}}}};
+    CHECK(!game::keep(other));
+    game::ReadPreferences const read = game::read_preferences();
+    CHECK(read.preferences == other);
+    CHECK(read.faults.empty());
+    CHECK(read.file == folder.scratch.path("data/smb2d/preferences.json"));
+    CHECK(!game::keep({}));
+    CHECK(game::read_preferences().preferences == game::Preferences{});
+}
+
+TEST_CASE("a file of preferences that is spoilt is told and set aside") {
+    DataFolder const folder;
+    for (char const* text : {"{\"volu", "[1]"}) {
+        folder.write(text);
+        game::ReadPreferences const read = game::read_preferences();
+        CHECK(read.preferences == game::Preferences{});
+        CHECK(read.faults.size() == 1);
+        game::Preferences softer;
+        softer.volume = 0.5;
+        auto const aside = game::keep(softer);
+        REQUIRE(aside);
+        CHECK(std::filesystem::exists(*aside));
+        CHECK(game::read_preferences().preferences == softer);
+    }
+}
+
+TEST_CASE("what of the preferences cannot be understood is told, a line each, and the rest holds") {
+    DataFolder const folder;
+    folder.write(
+        R"({"volume": 7, "muted": true, "turning": 1, "language": "dutch", "keys": {"pause": [1], "save": "F7"},
+                    "high_contrast": "yes"})");
+    game::ReadPreferences const read = game::read_preferences();
+    game::Preferences expected;
+    expected.muted = true;
+    expected.keys = {{"save", {"F7"}}};
+    CHECK(read.preferences == expected);
+    CHECK(read.faults == std::vector<std::string>{"volume: must be a number from 0 to 1, got 7",
+                                                  "turning: must be true or false, got 1",
+                                                  "high_contrast: must be true or false, got \"yes\"",
+                                                  "language: must be system, english or german, got \"dutch\"",
+                                                  "keys: pause: must be a list of names of keys"});
+}
+
+TEST_CASE("what a later program keeps beside the preferences stays") {
+    DataFolder const folder;
+    folder.write(R"({"of a later program": {"a": 1}, "keys": {"jump": ["J"]}})");
+    game::Preferences preferences = game::read_preferences().preferences;
+    preferences.volume = 0.4;
+    CHECK(!game::keep(preferences));
+    CHECK(folder.content()["of a later program"]["a"] == 1);
+    CHECK(folder.content()["keys"]["jump"][0] == "J");
+    CHECK(folder.content()["volume"] == 0.4);
 }

@@ -1,0 +1,159 @@
+// Letters as they are really drawn: none is wider than the plate that it stands on, in any language.
+#include <doctest/doctest.h>
+
+#include "screen/glyphs.h"
+#include "view/briefing.h"
+#include "view/ending.h"
+#include "view/picker.h"
+#include "view/settings_page.h"
+
+using game::Language;
+using game::Text;
+using view::Vec2;
+
+namespace {
+
+Vec2 const small(640, 360);
+
+struct Extent {
+    double left = 0, right = 0;  // pixels
+};
+Extent extent_of(view::Label const& label, screen::Glyphs const& glyphs) {
+    double const width = glyphs.width_of(label.text, label.height, label.weight);
+    double const share = label.anchor == view::Anchor::Left ? 0 : label.anchor == view::Anchor::Right ? 1 : 0.5;
+    return {label.at.x() - share * width, label.at.x() + (1 - share) * width};
+}
+
+void check_that_texts_fit(std::vector<view::Shape> const& shapes) {
+    static screen::Glyphs const glyphs;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        auto const* label = std::get_if<view::Label>(&shapes[i]);
+        if (!label) continue;
+        Extent plate{0, small.x()};
+        for (std::size_t j = 0; j < i; ++j)
+            if (auto const* panel = std::get_if<view::Panel>(&shapes[j]);
+                panel && label->at.x() >= panel->corner.x() && label->at.x() <= panel->corner.x() + panel->size.x() &&
+                label->at.y() >= panel->corner.y() && label->at.y() <= panel->corner.y() + panel->size.y())
+                plate = {panel->corner.x(), panel->corner.x() + panel->size.x()};
+        Extent const extent = extent_of(*label, glyphs);
+        INFO(label->text);
+        CHECK(extent.left >= plate.left);
+        CHECK(extent.right <= plate.right);
+    }
+}
+
+// Left and right of each other on one line, labels do not meet.
+void check_that_texts_keep_apart(std::vector<view::Shape> const& shapes) {
+    static screen::Glyphs const glyphs;
+    std::vector<view::Label> labels;
+    for (view::Shape const& shape : shapes)
+        if (auto const* label = std::get_if<view::Label>(&shape)) labels.push_back(*label);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            // Copies make the rim of large letters.
+            if (std::abs(labels[i].at.y() - labels[j].at.y()) > 2 || labels[i].text == labels[j].text) continue;
+            Extent const a = extent_of(labels[i], glyphs), b = extent_of(labels[j], glyphs);
+            INFO(labels[i].text, " | ", labels[j].text);
+            CHECK((a.right <= b.left || b.right <= a.left));
+        }
+}
+
+level::Level demanding_level() {
+    level::Level level;
+    level.title = "Ein Level";
+    level.pars.time = 12.5;
+    level.pars.pulls = 12;
+    physics::Sensor banana;
+    banana.region = physics::DiscRegion{{1, 1}, 0.2};
+    for (int i = 0; i < 12; ++i) {
+        level.scene.sensors.push_back(banana);
+        level.meanings.push_back(level::Meaning::banana);
+    }
+    return level;
+}
+
+}  // namespace
+
+TEST_CASE("cards, pages and menus hold their texts in every language") {
+    auto const bindings = game::usual_bindings();
+    for (Language const language : {Language::english, Language::german}) {
+        game::Preferences preferences;
+        preferences.language = language;
+        std::vector<std::vector<view::Shape>> cards = {
+            view::menu_shapes(view::settings_menu(preferences), 0, small),
+            view::menu_shapes(view::keys_menu(bindings, game::KeyAction::pause, language), 2, small),
+            view::menu_shapes(view::keys_menu(bindings, std::nullopt, language), 2, small),
+            view::help_shapes(words(Text::help_title, language), view::key_help(bindings, language), small),
+            view::title_shapes(0, small, words(Text::title_start, language),
+                               words(Text::title_keys, language, {"L", "F1", "F11"})),
+            view::corner_button_shapes(words(Text::menu_settings, language) + "  F2", small)};
+        view::MenuRow sound{words(Text::menu_sound_off, language)};
+        sound.level = 0.5;
+        cards.push_back(view::menu_shapes({view::pause_form,
+                                           words(Text::menu_title, language),
+                                           {{words(Text::menu_go_on, language)},
+                                            {words(Text::menu_again, language)},
+                                            {words(Text::menu_levels, language)},
+                                            sound,
+                                            {words(Text::menu_settings, language)},
+                                            {words(Text::menu_quit, language)}}},
+                                          0, small));
+        for (auto const& card : cards) {
+            check_that_texts_fit(card);
+            check_that_texts_keep_apart(card);
+        }
+    }
+}
+
+TEST_CASE("what is asked for and what was reached have room in every language") {
+    level::Level const level = demanding_level();
+    for (Language const language : {Language::english, Language::german}) {
+        view::Wording const wording{language, view::key_text("Keypad Enter", language), "→"};
+        auto const briefing = view::briefing_shapes(level, 1, small, view::Side::lower, wording);
+        check_that_texts_fit(briefing);
+        check_that_texts_keep_apart(briefing);
+        view::EndingNote note;
+        note.language = language;
+        note.best = 10;
+        note.film = words(Text::film_button, language) + "  F6";
+        note.hint = words(Text::goal_hint, language, {"Enter", "R"});
+        view::Moment moment;
+        moment.time = 60;
+        for (int const pulls : {1, 99})
+            for (int const bananas : {0, 12}) {
+                moment.status = {};
+                moment.status.goal_time = 55.25;
+                moment.status.pulls = pulls;
+                moment.status.bananas = bananas;
+                auto const card = view::ending_shapes(level, moment, small, note);
+                check_that_texts_fit(card);
+                check_that_texts_keep_apart(card);
+            }
+        moment.status = {};
+        moment.status.fall_time = 55.25;
+        note.hint = words(Text::fall_hint, language, {"Enter", view::key_text(",", language)});
+        check_that_texts_fit(view::ending_shapes(level, moment, small, note));
+        check_that_texts_fit(view::picker_picture({view::Tile{}}, 0, small, language).shapes);
+    }
+}
+
+TEST_CASE("the letters of German are drawn, each as itself") {
+    screen::Glyphs glyphs;
+    for (auto const& [umlaut, plain] :
+         {std::pair("ä", "a"), {"ö", "o"}, {"ü", "u"}, {"Ä", "A"}, {"Ö", "O"}, {"Ü", "U"}}) {
+        auto const line = glyphs.line(umlaut, 40, view::Weight::regular, 0);
+        auto const below = glyphs.line(plain, 40, view::Weight::regular, 0);
+        REQUIRE((line && below && line->glyphs.size() == 1));
+        // The same letter with dots over it: higher, and not the box that stands for what a font lacks.
+        CHECK(line->glyphs[0].glyph.height > below->glyphs[0].glyph.height);
+        CHECK(line->glyphs[0].glyph.width == doctest::Approx(below->glyphs[0].glyph.width).epsilon(0.2));
+    }
+    auto const missing = glyphs.line("\xf3\xb0\x80\x80", 40, view::Weight::regular, 0);  // a private plane
+    REQUIRE(missing);
+    for (char const* sign : {"ß", "„", "“", "←", "→", "↑", "↓"}) {
+        auto const line = glyphs.line(sign, 40, view::Weight::regular, 0);
+        REQUIRE(line);
+        CHECK(line->glyphs[0].glyph.width > 0);
+        CHECK(line->width != missing->width);
+    }
+}
