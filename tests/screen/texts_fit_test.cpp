@@ -13,7 +13,7 @@ using view::Vec2;
 
 namespace {
 
-Vec2 const small(640, 360);
+Vec2 const least_size(640, 360);
 
 struct Extent {
     double left = 0, right = 0;  // pixels
@@ -29,7 +29,7 @@ void check_that_texts_fit(std::vector<view::Shape> const& shapes) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         auto const* label = std::get_if<view::Label>(&shapes[i]);
         if (!label) continue;
-        Extent plate{0, small.x()};
+        Extent plate{0, least_size.x()};
         for (std::size_t j = 0; j < i; ++j)
             if (auto const* panel = std::get_if<view::Panel>(&shapes[j]);
                 panel && label->at.x() >= panel->corner.x() && label->at.x() <= panel->corner.x() + panel->size.x() &&
@@ -80,13 +80,13 @@ TEST_CASE("cards, pages and menus hold their texts in every language") {
         game::Preferences preferences;
         preferences.language = language;
         std::vector<std::vector<view::Shape>> cards = {
-            view::menu_shapes(view::settings_menu(preferences), 0, small),
-            view::menu_shapes(view::keys_menu(bindings, game::KeyAction::pause, language), 2, small),
-            view::menu_shapes(view::keys_menu(bindings, std::nullopt, language), 2, small),
-            view::help_shapes(words(Text::help_title, language), view::key_help(bindings, language), small),
-            view::title_shapes(0, small, words(Text::title_start, language),
+            view::menu_shapes(view::settings_menu(preferences), 0, least_size),
+            view::menu_shapes(view::keys_menu(bindings, game::KeyAction::pause, language), 2, least_size),
+            view::menu_shapes(view::keys_menu(bindings, std::nullopt, language), 2, least_size),
+            view::help_shapes(words(Text::help_title, language), view::key_help(bindings, language), least_size),
+            view::title_shapes(0, least_size, words(Text::title_start, language),
                                words(Text::title_keys, language, {"L", "F1", "F11"})),
-            view::corner_button_shapes(words(Text::menu_settings, language) + "  F2", small)};
+            view::corner_button_shapes(words(Text::menu_settings, language) + "  F2", least_size)};
         view::MenuRow sound{words(Text::menu_sound_off, language)};
         sound.level = 0.5;
         cards.push_back(view::menu_shapes({view::pause_form,
@@ -97,7 +97,7 @@ TEST_CASE("cards, pages and menus hold their texts in every language") {
                                             sound,
                                             {words(Text::menu_settings, language)},
                                             {words(Text::menu_quit, language)}}},
-                                          0, small));
+                                          0, least_size));
         for (auto const& card : cards) {
             check_that_texts_fit(card);
             check_that_texts_keep_apart(card);
@@ -109,7 +109,7 @@ TEST_CASE("what is asked for and what was reached have room in every language") 
     level::Level const level = demanding_level();
     for (Language const language : {Language::english, Language::german}) {
         view::Wording const wording{language, view::key_text("Keypad Enter", language), "→"};
-        auto const briefing = view::briefing_shapes(level, 1, small, view::Side::lower, wording);
+        auto const briefing = view::briefing_shapes(level, 1, least_size, view::Side::lower, wording);
         check_that_texts_fit(briefing);
         check_that_texts_keep_apart(briefing);
         view::EndingNote note;
@@ -125,15 +125,15 @@ TEST_CASE("what is asked for and what was reached have room in every language") 
                 moment.status.goal_time = 55.25;
                 moment.status.pulls = pulls;
                 moment.status.bananas = bananas;
-                auto const card = view::ending_shapes(level, moment, small, note);
+                auto const card = view::ending_shapes(level, moment, least_size, note);
                 check_that_texts_fit(card);
                 check_that_texts_keep_apart(card);
             }
         moment.status = {};
         moment.status.fall_time = 55.25;
         note.hint = words(Text::fall_hint, language, {"Enter", view::key_text(",", language)});
-        check_that_texts_fit(view::ending_shapes(level, moment, small, note));
-        check_that_texts_fit(view::picker_picture({view::Tile{}}, 0, small, language).shapes);
+        check_that_texts_fit(view::ending_shapes(level, moment, least_size, note));
+        check_that_texts_fit(view::picker_picture({view::Tile{}}, 0, least_size, language).shapes);
     }
 }
 
