@@ -120,7 +120,7 @@ ButtonFrame corner_button(std::string const& text, Vec2 const& size) {
 
 double add_key_caps(std::vector<Shape>& shapes, std::vector<std::string> const& keys, double right, double middle,
                     double room, double letters) {
-    auto const width_of = [&](std::string const& key) { return std::max(1.4, text_width(key) + 0.9) * letters; };
+    auto const width_of = [&](std::string const& key) { return std::max(1.4, text_width(key) + 1.1) * letters; };
     double const gap = 0.3 * letters;
     double whole = -gap;
     for (std::string const& key : keys) whole += width_of(key) + gap;
