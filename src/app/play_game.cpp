@@ -5,13 +5,11 @@
 
 #include "app/output.h"
 #include "app/play_save.h"
-#include "app/play_settings.h"
 #include "game/best_times.h"
 #include "game/medals.h"
 #include "game/past.h"
 #include "game/run_file.h"
 #include "view/hud.h"
-#include "view/settings_page.h"
 
 namespace app {
 
@@ -232,15 +230,6 @@ void cycle_overlay(PlayGame& game) {
     say(game, Text::overlay_is, {game::words(names[next], language_of(game))});
 }
 
-void switch_turning(PlayGame& game) {
-    bool const turned = turning_of(game) == view::Turning::with_gravity;
-    game.kept_upright = false;
-    game.preferences.turning = !turned;
-    keep_preferences(game);
-    bool const is_calm = game.preferences.reduced_motion;
-    say(game, turned ? Text::picture_upright : is_calm ? Text::picture_calm : Text::picture_turns);
-}
-
 std::optional<std::string> save_run(PlayGame& game) {
     try {
         std::string const file = free_run_name(game.stage->level.file);
@@ -259,21 +248,6 @@ void say(PlayGame& game, std::string const& text) { game.toast = {text, toast_le
 
 void say(PlayGame& game, Text text, std::initializer_list<std::string> values) {
     say(game, game::words(text, language_of(game), values));
-}
-
-std::string key_of(PlayGame const& game, game::KeyAction action) {
-    return view::first_key_text(game.bindings, action, language_of(game));
-}
-
-view::Turning turning_of(PlayGame const& game) {
-    bool const turns = game.preferences.turning && !game.preferences.reduced_motion && !game.kept_upright;
-    return turns ? view::Turning::with_gravity : view::Turning::never;
-}
-
-view::Lens lens_of(PlayGame const& game) {
-    view::Lens lens = game.lens;
-    lens.motion = motion_of(game);
-    return lens;
 }
 
 void let_toast_fade(PlayGame& game, double elapsed) { game.toast.left = std::max(0.0, game.toast.left - elapsed); }

@@ -195,4 +195,28 @@ std::vector<view::Shape> settings_shapes(PlayGame const& game) {
     return view::menu_shapes(page, game.settings->row, game.size);
 }
 
+void switch_turning(PlayGame& game) {
+    bool const turned = turning_of(game) == view::Turning::with_gravity;
+    game.kept_upright = false;
+    game.preferences.turning = !turned;
+    keep_preferences(game);
+    bool const is_calm = game.preferences.reduced_motion;
+    say(game, turned ? Text::picture_upright : is_calm ? Text::picture_calm : Text::picture_turns);
+}
+
+std::string key_of(PlayGame const& game, game::KeyAction action) {
+    return view::first_key_text(game.bindings, action, language_of(game));
+}
+
+view::Turning turning_of(PlayGame const& game) {
+    bool const turns = game.preferences.turning && !game.preferences.reduced_motion && !game.kept_upright;
+    return turns ? view::Turning::with_gravity : view::Turning::never;
+}
+
+view::Lens lens_of(PlayGame const& game) {
+    view::Lens lens = game.lens;
+    lens.motion = motion_of(game);
+    return lens;
+}
+
 }  // namespace app

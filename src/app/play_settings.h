@@ -1,4 +1,5 @@
-// The pages of settings: opened, worked by keys, buttons and the pointer; what changes is kept at once.
+// The pages of settings: opened, worked by keys, buttons and the pointer; what changes is kept at once, and what of the
+// game hangs on it.
 #pragma once
 
 #include "app/play_actions.h"

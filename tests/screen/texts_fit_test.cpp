@@ -105,6 +105,16 @@ TEST_CASE("cards, pages and menus hold their texts in every language") {
     }
 }
 
+TEST_CASE("every text that may be a message or a badge has room in every language") {
+    for (Language const language : {Language::english, Language::german})
+        for (std::size_t i = 0; i < game::text_count; ++i) {
+            std::string const text =
+                words(static_cast<Text>(i), language, {"Page down", "Num Enter", "Backspace", "F11"});
+            check_that_texts_fit(view::toast_shapes(text, 1, least_size));
+            if (text.size() < 30) check_that_texts_fit(view::badge_shapes(text, least_size));
+        }
+}
+
 TEST_CASE("what is asked for and what was reached have room in every language") {
     level::Level const level = demanding_level();
     for (Language const language : {Language::english, Language::german}) {
