@@ -88,11 +88,11 @@ Energy energy_of(level::Level const& level, std::vector<physics::State> const& b
 }
 
 std::vector<Shape> overlay_shapes(level::Level const& level, Moment const& moment, Camera const& camera,
-                                  Overlays const& overlays) {
+                                  Overlays const& overlays, game::Language language) {
     std::vector<Shape> shapes;
     double const unit = hud_scale(camera.size);
     // In columns from the upper right corner: they stay where they are, whatever the ball does.
-    Slate slate{&shapes, &camera, camera.size.x() - (table_width + 16) * unit, 64 * unit};
+    Slate slate{&shapes, &camera, camera.size.x() - (table_width + 16) * unit, 64 * unit, language};
     auto const draw = [&](bool wanted, void (*part)(Slate&, level::Level const&, Moment const&)) {
         if (!wanted) return;
         part(slate, level, moment);

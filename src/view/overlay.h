@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/texts.h"
 #include "view/camera.h"
 #include "view/moment.h"
 #include "view/picture.h"
@@ -44,6 +45,6 @@ struct Energy {  // J
 Energy energy_of(level::Level const& level, std::vector<physics::State> const& balls, physics::Forces const& forces);
 
 std::vector<Shape> overlay_shapes(level::Level const& level, Moment const& moment, Camera const& camera,
-                                  Overlays const& overlays);
+                                  Overlays const& overlays, game::Language language = game::Language::english);
 
 }  // namespace view

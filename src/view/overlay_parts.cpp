@@ -10,6 +10,8 @@ namespace view {
 
 namespace {
 
+using game::Text;
+
 constexpr Colour velocity_paint = colour(0x1668d8), normal_paint = colour(0xd8262f), kept_paint = colour(0x0b8a4a);
 constexpr Colour roll_paint = colour(0x9a35c9), gravity_paint = colour(0x5a4632), drag_paint = colour(0xf0731a);
 constexpr Colour motion_paint = colour(0x2f7de1), rotation_paint = colour(0xb05be0), height_paint = colour(0x35a85b);
@@ -29,19 +31,21 @@ std::string pair_text(Vec2 const& v) {
     return text.append(written(v.x(), 2)).append(", ").append(written(v.y(), 2)).append(")");
 }
 
-std::string phase_text(physics::Phase phase) {
+Text text_of(physics::Phase phase) {
     switch (phase) {
         case physics::Phase::flight:
-            return "in flight";
+            return Text::shown_in_flight;
         case physics::Phase::roll:
-            return "rolling";
+            return Text::shown_rolling;
         case physics::Phase::slide:
-            return "sliding";
+            return Text::shown_sliding;
         case physics::Phase::rest:
             break;
     }
-    return "at rest";
+    return Text::shown_at_rest;
 }
+
+std::string words_on(Slate const& slate, Text text) { return game::words(text, slate.language); }
 
 // How far the ball turns in a third of a second, as a curved arrow round it.
 void draw_roll(Slate& slate, Vec2 const& centre, double radius, double spin) {
@@ -178,9 +182,11 @@ void draw_figures(Slate& slate, level::Level const& level, Moment const& moment)
     }
     draw_arrow(slate, {state.position, drawn_in(metres * state.velocity, limit), velocity_paint, "v"});
     draw_roll(slate, state.position, radius, state.spin);
-    rows.push_back({"spin", written(state.spin, 3) + " rad/s", roll_paint});
-    rows.push_back({"angle", written(state.angle, 3) + " rad", roll_paint});
-    draw_table(slate, "Figures: " + phase_text(moment.phases[player]), rows);
+    rows.push_back({words_on(slate, Text::shown_spin), written(state.spin, 3) + " rad/s", roll_paint});
+    rows.push_back({words_on(slate, Text::shown_angle), written(state.angle, 3) + " rad", roll_paint});
+    draw_table(slate,
+               game::words(Text::shown_figures, slate.language, {words_on(slate, text_of(moment.phases[player]))}),
+               rows);
 }
 
 void draw_forces(Slate& slate, level::Level const& level, Moment const& moment) {
@@ -201,39 +207,38 @@ void draw_forces(Slate& slate, level::Level const& level, Moment const& moment) 
     std::optional<Figures> const figures = figures_of(level, moment, level.player);
     double const metres = 0.11 / std::max(mass * level.scene.gravity / 9.81, 1e-3);  // of an arrow for each newton
     double const limit = 0.3 * slate.camera->size.y() / slate.camera->scale;
-    auto const arrow = [&](Vec2 const& from, Vec2 const& force, Colour const& paint, char const* name,
-                           double side = -1) {
-        draw_arrow(slate, {from, drawn_in(metres * force, limit), paint, name, side});
+    auto const arrow = [&](Vec2 const& from, Vec2 const& force, Colour const& paint, Text name, double side = -1) {
+        draw_arrow(slate, {from, drawn_in(metres * force, limit), paint, words_on(slate, name), side});
     };
     auto const newtons = [](Vec2 const& force) { return written(geometry::length(force), 2) + " N"; };
-    std::vector<Row> rows = {{"gravity", newtons(gravity), gravity_paint}};
-    arrow(state.position, gravity, gravity_paint, "gravity");
+    std::vector<Row> rows = {{words_on(slate, Text::shown_gravity), newtons(gravity), gravity_paint}};
+    arrow(state.position, gravity, gravity_paint, Text::shown_gravity);
     if (figures && figures->touching) {
         Vec2 const ground = total - gravity - drag;
         Vec2 const normal = geometry::dot(ground, figures->normal) * figures->normal;
         Vec2 const friction = ground - normal;
-        arrow(figures->contact, normal, normal_paint, "normal");
-        arrow(figures->contact, friction, kept_paint, "friction", -side_of(friction, figures->normal));
-        rows.push_back({"normal", newtons(normal), normal_paint});
-        rows.push_back({"friction", newtons(friction), kept_paint});
+        arrow(figures->contact, normal, normal_paint, Text::shown_normal);
+        arrow(figures->contact, friction, kept_paint, Text::shown_friction, -side_of(friction, figures->normal));
+        rows.push_back({words_on(slate, Text::shown_normal), newtons(normal), normal_paint});
+        rows.push_back({words_on(slate, Text::shown_friction), newtons(friction), kept_paint});
     }
     if (moment.forces.pull) {
-        arrow(state.position, drag, drag_paint, "drag");
-        rows.push_back({"drag", newtons(drag), drag_paint});
+        arrow(state.position, drag, drag_paint, Text::shown_drag);
+        rows.push_back({words_on(slate, Text::shown_drag), newtons(drag), drag_paint});
     }
-    draw_table(slate, "Forces", rows);
+    draw_table(slate, words_on(slate, Text::shown_forces), rows);
 }
 
 void draw_energy(Slate& slate, level::Level const& level, Moment const& moment) {
     Energy const energy = energy_of(level, moment.balls, moment.forces);
     double const ground = lowest_height_energy(level, moment.forces);
     auto const joules = [](double value) { return written(value, 3) + " J"; };
-    draw_table(slate, "Energy",
-               {{"motion", joules(energy.motion), motion_paint},
-                {"rotation", joules(energy.rotation), rotation_paint},
-                {"height", joules(energy.height - ground), height_paint},
-                {"spring", joules(energy.spring), spring_paint},
-                {"total", joules(energy.total() - ground), palette::ink}});
+    draw_table(slate, words_on(slate, Text::shown_energy),
+               {{words_on(slate, Text::shown_motion), joules(energy.motion), motion_paint},
+                {words_on(slate, Text::shown_rotation), joules(energy.rotation), rotation_paint},
+                {words_on(slate, Text::shown_height), joules(energy.height - ground), height_paint},
+                {words_on(slate, Text::shown_spring), joules(energy.spring), spring_paint},
+                {words_on(slate, Text::shown_total), joules(energy.total() - ground), palette::ink}});
     double highest = energy.total() - energy.spring;
     for (std::vector<physics::State> const& balls : moment.recent)
         highest = std::max(highest, energy_of(level, balls, {moment.forces.tilt, std::nullopt}).total());

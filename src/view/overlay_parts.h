@@ -16,6 +16,7 @@ struct Slate {
     Camera const* camera = nullptr;
     double table_left = 0;  // pixels
     double next_table = 0;  // pixels from the top
+    game::Language language = game::Language::english;
 };
 
 struct Arrow {

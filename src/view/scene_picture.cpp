@@ -48,7 +48,7 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     if (is_high) append(shapes, actor_outlines(stage.level, moment, camera));
     append(shapes, pick_shapes(stage.level, moment, camera));
     append(shapes, spring_shapes(stage.level, moment, camera));
-    append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays));
+    append(shapes, overlay_shapes(stage.level, moment, camera, dressing.overlays, dressing.ending.language));
     if (dressing.lettering == Lettering::none) return picture;
     auto const append_written = [&](std::vector<Shape> more) {
         append(shapes, is_high ? in_high_contrast(std::move(more)) : std::move(more));

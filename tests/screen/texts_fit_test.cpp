@@ -4,8 +4,10 @@
 #include "screen/glyphs.h"
 #include "view/briefing.h"
 #include "view/ending.h"
+#include "view/overlay.h"
 #include "view/picker.h"
 #include "view/settings_page.h"
+#include "view/stages.h"
 
 using game::Language;
 using game::Text;
@@ -144,6 +146,23 @@ TEST_CASE("what is asked for and what was reached have room in every language") 
         note.hint = words(Text::fall_hint, language, {"Enter", view::key_text(",", language)});
         check_that_texts_fit(view::ending_shapes(level, moment, least_size, note));
         check_that_texts_fit(view::picker_picture({view::Tile{}}, 0, least_size, language).shapes);
+    }
+}
+
+TEST_CASE("overlays hold their words and numbers in every language") {
+    level::Level const level = view_test::floor_level(16, 9);
+    physics::State start = level.scene.balls[0].start;
+    start.velocity = Vec2(-123.45, -678.9);
+    start.spin = -1234.5;
+    view::Moment moment = view::moment_at(level, view_test::steady_history(start), 0.001);
+    moment.forces.pull = physics::Pull{0, Vec2(1, 1)};
+    view::Camera camera;
+    camera.size = least_size;
+    camera.scale = 40;
+    for (Language const language : {Language::english, Language::german}) {
+        auto const shapes = view::overlay_shapes(level, moment, camera, {true, true, true}, language);
+        CHECK(shapes.size() > 20);
+        check_that_texts_fit(shapes);
     }
 }
 
