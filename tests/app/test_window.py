@@ -19,7 +19,7 @@ LEVEL = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 9"><title>Flo
 <circle class="ball" cx="1.9" cy="4.4" r="0.4"/></svg>
 """
 GOAL = '<rect class="goal" x="5" y="1" width="3" height="3.8"/>'
-WIDTH, HEIGHT = 960, 540
+WIDTH, HEIGHT = 640, 360
 SCALE = WIDTH / 16  # pixels per metre: a level of 16 m x 9 m is shown whole
 START = (1.9, 4.6)  # m, of the ball
 TARGET = (3.4, 6.6)  # m, within the spring's reach and in free air
@@ -522,7 +522,7 @@ class Window(ProgramTest):
         self.open_menu()
         row = lambda i: HEIGHT / 2 + (i - 2.5) * 68 * HEIGHT / 720 + 25 * HEIGHT / 720
         kept = self.folder / "data/smb2d/preferences.json"
-        self.pointer("mousemove", "--window", self.window, WIDTH // 2 - 120, round(row(3)), "click", 1)
+        self.pointer("mousemove", "--window", self.window, WIDTH * 3 // 8, round(row(3)), "click", 1)
         until(lambda: kept.exists() and json.loads(kept.read_text())["muted"], "the sound to be off", self.game)
         self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(row(5)), "click", 1)
         self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
@@ -634,7 +634,7 @@ class Window(ProgramTest):
             until(lambda: self.screenshot() == self.screenshot(), "the page to stand still", self.game)
             menus[name] = self.screenshot()
             self.close()
-        middle = lambda name: [menus[name][y * WIDTH + x] for y in range(80, 480) for x in range(250, 500)]
+        middle = lambda name: [menus[name][y * WIDTH + x] for y in range(HEIGHT // 7, HEIGHT * 8 // 9) for x in range(WIDTH // 4, WIDTH // 2)]
         self.assertNotEqual(middle("english"), middle("by system"))
         self.assertEqual(middle("by system"), middle("by choice"))
         self.assertEqual(middle("english"), middle("against system"))
