@@ -17,8 +17,7 @@ struct MergedPieces {
 
 // Three steps, none of which hangs on the order of the pieces:
 // - Ends within `vertex_reach` of each other become one place, and so do chains of such ends: of all points of a chain
-// the
-//   least by x, then y. Pieces whose ends move keep their shape (lines stay lines, arcs circular); what shrinks to a
+//   the least by x, then y. Pieces whose ends move keep their shape (lines stay lines, arcs circular); what shrinks to a
 //   point is left out, and an arc that comes back to its own beginning is a whole circle.
 // - A piece on which a point lies, within `lies_on`, is parted there.
 // - Of pieces that lie on each other, within `lies_on`, one stays, with the greatest friction, restitution and rolling
