@@ -192,7 +192,7 @@ class Window(ProgramTest):
 
         last = [i for i in inputs if "move" in i][-1]
         angle = turn(last["t"])
-        self.assertGreater(angle, 0.1)
+        self.assertGreater(angle, 0.04)  # twice as far as what is compared may differ
         self.assertAlmostEqual(last["move"]["x"], ball[0] + math.cos(angle), delta=0.02)
         self.assertAlmostEqual(last["move"]["y"], ball[1] + math.sin(angle), delta=0.02)
 
