@@ -1,5 +1,6 @@
 #include "game/preferences.h"
 
+#include <algorithm>
 #include <exception>
 
 #include <nlohmann/json.hpp>

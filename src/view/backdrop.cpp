@@ -7,6 +7,7 @@
 
 #include "view/drawn_colour.h"
 #include "view/palette.h"
+#include "view/outline_points.h"
 
 namespace view {
 

@@ -44,9 +44,4 @@ Ground ground_of(level::Level const& level);
 
 std::vector<Shape> ground_shapes(Ground const& ground, Camera const& camera);
 
-inline constexpr double unseen_flatness = 0.0005;  // m: how far a chord may lie from its arc
-
-// Points along an outline whose chords lie no further from it than `flatness` and are no longer than `spacing`, m.
-std::vector<Vec2> points_along(level::Outline const& outline, double spacing, double flatness = unseen_flatness);
-
 }  // namespace view

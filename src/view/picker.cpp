@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "view/bodies.h"
-#include "view/ground.h"
+#include "view/outline_points.h"
 #include "view/camera.h"
 #include "view/ending.h"
 #include "view/hud.h"

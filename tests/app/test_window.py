@@ -634,7 +634,8 @@ class Window(ProgramTest):
             until(lambda: self.screenshot() == self.screenshot(), "the page to stand still", self.game)
             menus[name] = self.screenshot()
             self.close()
-        middle = lambda name: [menus[name][y * WIDTH + x] for y in range(HEIGHT // 7, HEIGHT * 8 // 9) for x in range(WIDTH // 4, WIDTH // 2)]
+        middle = lambda name: [menus[name][y * WIDTH + x] for y in range(HEIGHT // 7, HEIGHT * 8 // 9)
+                               for x in range(WIDTH // 4, WIDTH // 2)]
         self.assertNotEqual(middle("english"), middle("by system"))
         self.assertEqual(middle("by system"), middle("by choice"))
         self.assertEqual(middle("english"), middle("against system"))

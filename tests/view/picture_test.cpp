@@ -3,6 +3,7 @@
 #include "stages.h"
 #include "view/backdrop.h"
 #include "view/polygon.h"
+#include "view/outline_points.h"
 
 using view::Vec2;
 using namespace view_test;
