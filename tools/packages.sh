@@ -7,7 +7,7 @@ packages_to_play=(
 )
 packages_to_test=(
     "${packages_to_play[@]}"
-    doctest-dev libbenchmark-dev clang libclang-rt-dev libc++-dev libc++abi-dev python3 xvfb xdotool x11-utils imagemagick libgl1-mesa-dri
+    doctest-dev libbenchmark-dev clang libclang-rt-dev libc++-dev libc++abi-dev python3 xvfb xdotool libgl1-mesa-dri
 )
 packages_to_bench=(
     "${packages_to_play[@]}"
@@ -23,7 +23,7 @@ give_up() {
 # The same needs by the names they answer to, for systems on which dpkg cannot be asked. doctest and stb are headers.
 commands_to_play=(c++ cmake ninja pkg-config glad ffmpeg)
 modules_to_play=(sdl2 osmesa eigen3 stb CLI11 pugixml nlohmann_json libdeflate)
-commands_to_test=("${commands_to_play[@]}" clang++ python3 Xvfb xdotool convert import)
+commands_to_test=("${commands_to_play[@]}" clang++ python3 Xvfb xdotool)
 commands_to_bench=("${commands_to_play[@]}" gnuplot valgrind)
 
 lacks_by_name() {
