@@ -23,7 +23,7 @@ GOLDEN = HERE / "golden.txt"
 OTHERS = ["g++ -O1", "g++ -O2", "g++ -O3", "g++ -Os", "g++ -O2 -D_GLIBCXX_ASSERTIONS", "clang++ -O0", "clang++ -O1",
           "clang++ -O3 -march=native", "clang++ -O0 -stdlib=libc++", "clang++ -O3 -march=native -stdlib=libc++"]
 
-SEEDED_LEVELS, FEW_SEEDED_LEVELS = 40, 10
+SEEDED_LEVELS, FEW_SEEDED_LEVELS = 40, 4
 SKIPPED = 77  # the status that ctest takes for a test that was not asked for
 
 
