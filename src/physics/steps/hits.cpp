@@ -19,7 +19,7 @@ void forget_events(Trail<Event>& events, int ball, double from) {
            events.back().time > from)
         events.pop_back();
     auto const late = [&](Event const& e) { return e.ball == ball && e.time > from && e.kind != EventKind::hit; };
-    events.erase(std::remove_if(events.begin(), events.end(), late), events.end());
+    events.cut(std::remove_if(events.begin(), events.end(), late));
 }
 
 // How hard two touching balls are pressed together by what acts on them, as far as it can be told: two in free flight
