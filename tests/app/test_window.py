@@ -530,6 +530,7 @@ class Window(ProgramTest):
         self.open("software")
         self.drag_the_ball()
         self.open_menu()
+        self.wait_until_still("the menu to be painted")
         still = self.screenshot()
         self.pointer("sleep", 0.3)
         self.assertEqual(self.screenshot(), still)
