@@ -67,8 +67,14 @@ bool PlannedBalls::stalls(int i) {
         plan.stall_since = world_.time;
         plan.stall_count = 0;
     }
-    if (plan.end.cause == LegEndCause::meets || plan.end.cause == LegEndCause::settles) watched(i);
-    return ++plan.stall_count > stall_events;
+    if (world_.time - plan.flip_since > flip_span) {
+        plan.flip_since = world_.time;
+        plan.flip_count = 0;
+    }
+    LegEndCause const cause = plan.end.cause;
+    if (cause == LegEndCause::meets || cause == LegEndCause::settles) watched(i);
+    if (cause == LegEndCause::lifts || cause == LegEndCause::slips || cause == LegEndCause::grips) ++plan.flip_count;
+    return ++plan.stall_count > stall_events || plan.flip_count > flip_events;
 }
 
 // Whether creeping takes it nowhere either.
@@ -81,12 +87,19 @@ bool PlannedBalls::jams(int i) {
     return ++plan.creep_count > creep_events;
 }
 
+void PlannedBalls::creep(int i) {
+    BallPlan& plan = world_.plans[i];
+    State const state = at_span(world_.legs[i], plan.end.time);
+    take(i, jams(i) ? jammed(state, world_.legs[i].contact, world_.time) : creeping(context(i), state, world_.time));
+    if (plan.flip_count <= flip_events) return;
+    plan.flip_since = std::min(world_.legs[i].until, world_.time + watch_span);
+    plan.flip_count = flip_events - flips_again;
+}
+
 PlannedBalls::Going PlannedBalls::end_leg(int i) {
     if (!alone_ && !watched(i)) return Going::crowded;
     if (alone_ && stalls(i)) {
-        State const state = at_span(world_.legs[i], world_.plans[i].end.time);
-        take(i,
-             jams(i) ? jammed(state, world_.legs[i].contact, world_.time) : creeping(context(i), state, world_.time));
+        creep(i);
         return Going::changed;
     }
     bool const same_motion = world_.plans[i].end.cause == LegEndCause::goes_on && world_.legs[i].phase == Phase::flight;

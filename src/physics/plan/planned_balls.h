@@ -13,13 +13,18 @@ inline constexpr int watch_events = 1000;   // these in that span for one of sev
 // A lone ball is never handed over. Bounces on one surface under gravity alone have a limit, to which they are summed;
 // others, between two surfaces, under the pull of the spring or where all but nothing is lost, end where they crowd:
 // after so many of them within watch_span, or within frame_span, nothing bounces back. Where more events than
-// stall_events fall in stall_span, the ball creeps on (transition.h).
+// stall_events fall in stall_span, the ball creeps on (transition.h), and so it does where it changes between contact
+// modes more often than flip_events in flip_span, as between two walls as far apart as it is wide; soon after that,
+// after flips_again.
 inline constexpr int crowd_events = 50;
 inline constexpr double frame_span = 1.0 / 60;  // s
 inline constexpr int frame_events = 200;
 inline constexpr double most_summed = 0.9999;  // restitution: above it a sum of bounces counts as endless
 inline constexpr double stall_span = 1e-10;    // s
 inline constexpr int stall_events = 40;
+inline constexpr double flip_span = 1e-4;      // s
+inline constexpr int flip_events = 100;
+inline constexpr int flips_again = 5;
 inline constexpr int creep_events = 50;  // more within watch_span, and the ball stands until the forces change
 
 // One call's view of the balls of a world that are on their plans. Legs and events go to the history at world.time.
@@ -56,6 +61,7 @@ private:
     bool is_elastic(Contact contact) const;
     bool stalls(int i);
     bool jams(int i);
+    void creep(int i);
     void look_round(int i, BallPlan const& before);
     void set_out(int i, State const& state, Contact contact, double duration, EventKind kind, Contact at_what);
     bool hop(int i);

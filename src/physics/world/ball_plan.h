@@ -83,6 +83,8 @@ struct BallPlan {
     int frame_count = 0;
     double stall_since = 0;  // s, the same
     int stall_count = 0;
+    double flip_since = 0;  // s, the same of changes between contact modes
+    int flip_count = 0;
     double creep_since = 0;  // s, the same of creeping
     int creep_count = 0;
 };
