@@ -52,19 +52,29 @@ std::vector<Chain> chains_of(physics::Scene const& scene, int pieces_of_an_arc) 
     return chains;
 }
 
+namespace {
+
+std::vector<Peer>& all_peers() {
+    static std::vector<Peer> all;
+    return all;
+}
+
+}  // namespace
+
+std::vector<Peer> const& known_peers() { return all_peers(); }
+
+bool make_known(Peer peer) {
+    std::vector<Peer>& all = all_peers();
+    auto const place = std::find_if(all.begin(), all.end(), [&](Peer const& other) { return peer.name < other.name; });
+    all.insert(place, std::move(peer));
+    return true;
+}
+
 std::vector<Contestant> peers(std::vector<double> const& rates) {
     std::vector<Contestant> all;
-#ifdef SMB2D_BOX2D
-    for (double const rate : rates)
-        all.push_back(
-            {"Box2D", std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, peer_pieces, box2d_engine});
-#endif
-#ifdef SMB2D_CHIPMUNK
-    for (double const rate : rates)
-        all.push_back({"Chipmunk", std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, peer_pieces,
-                       chipmunk_engine});
-#endif
-    static_cast<void>(rates);
+    for (Peer const& peer : known_peers())
+        for (double const rate : rates)
+            all.push_back({peer.name, std::to_string(static_cast<int>(rate)) + " Hz", rate, rate == 60, peer_pieces, peer.start});
     return all;
 }
 

@@ -65,13 +65,21 @@ public:
     virtual std::vector<Vec2> positions() const = 0;
 };
 std::unique_ptr<Pile> our_pile(physics::Scene const& scene, physics::Steps const& method);
-#ifdef SMB2D_BOX2D
-std::unique_ptr<Engine> box2d_engine(Contestant const& contestant, Task const& task);
-std::unique_ptr<Pile> box2d_pile(physics::Scene const& scene, int iterations);
-#endif
-#ifdef SMB2D_CHIPMUNK
-std::unique_ptr<Engine> chipmunk_engine(Contestant const& contestant, Task const& task);
-std::unique_ptr<Pile> chipmunk_pile(physics::Scene const& scene, int iterations);
-#endif
+
+// Somebody else's engine. It stands in the file peer_NAME.cpp, makes itself known there before main() begins, and is named
+// nowhere else: CMakeLists.txt builds the files whose library is installed.
+struct Peer {
+    struct PileSetting {
+        std::string setting;  // for people
+        int iterations = 0;
+    };
+    std::string name;
+    std::unique_ptr<Engine> (*start)(Contestant const&, Task const&) = nullptr;
+    std::unique_ptr<Pile> (*pile)(physics::Scene const&, int iterations) = nullptr;
+    std::vector<PileSetting> pile_settings;
+};
+// By name.
+std::vector<Peer> const& known_peers();
+bool make_known(Peer peer);
 
 }  // namespace bench

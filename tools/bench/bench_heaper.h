@@ -1,6 +1,7 @@
 // Piles of equal discs, and heapers: who can pile them up, with a setting.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@ namespace bench {
 
 struct PileSolver {
     std::string method, setting;
-    std::unique_ptr<Pile> (*start)(physics::Scene const&) = nullptr;
+    std::function<std::unique_ptr<Pile>(physics::Scene const&)> start;
 };
 
 std::vector<PileSolver> heapers();

@@ -87,24 +87,15 @@ Timed benchmark_of(std::shared_ptr<Heap> const& heap) {
 }  // namespace
 
 std::vector<PileSolver> heapers() {
-    return {
-        {"steps", "60 Hz",
-         [](physics::Scene const& scene) {
-             return our_pile(scene, {60, 4});
-         }},
-        {"steps", "240 Hz",
-         [](physics::Scene const& scene) {
-             return our_pile(scene, {240, 4});
-         }},
-#ifdef SMB2D_BOX2D
-        {"Box2D", "8 iterations", [](physics::Scene const& scene) { return box2d_pile(scene, 8); }},
-        {"Box2D", "32 iterations", [](physics::Scene const& scene) { return box2d_pile(scene, 32); }},
-#endif
-#ifdef SMB2D_CHIPMUNK
-        {"Chipmunk", "10 iterations", [](physics::Scene const& scene) { return chipmunk_pile(scene, 10); }},
-        {"Chipmunk", "40 iterations", [](physics::Scene const& scene) { return chipmunk_pile(scene, 40); }},
-#endif
-    };
+    std::vector<PileSolver> all;
+    for (double const rate : {60.0, 240.0})
+        all.push_back({"steps", std::to_string(static_cast<int>(rate)) + " Hz",
+                       [rate](physics::Scene const& scene) { return our_pile(scene, {rate, 4}); }});
+    for (Peer const& peer : known_peers())
+        for (Peer::PileSetting const& pile : peer.pile_settings)
+            all.push_back({peer.name, pile.setting,
+                           [&](physics::Scene const& scene) { return peer.pile(scene, pile.iterations); }});
+    return all;
 }
 
 Settled settled(int balls, physics::Steps const& method, double settling) {

@@ -131,13 +131,19 @@ double slope_of(std::vector<std::pair<double, double>> const& points) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
+std::vector<std::string> stepping_methods() {
+    std::vector<std::string> methods{"steps", "euler", "article"};
+    for (Peer const& peer : known_peers()) methods.push_back(peer.name);
+    return methods;
+}
+
 }  // namespace
 
 void write_orders(std::vector<Row> const& rows, std::ostream& to) {
     to << "# slope of log(median error) against log(step), rounding and failures left out; the finest of its points\n"
        << "# scene\tmethod\torder\tstep\terror\n";
     for (std::string const& scene : scenes_of(rows))
-        for (char const* const method : {"steps", "euler", "article", "Box2D", "Chipmunk"}) {
+        for (std::string const& method : stepping_methods()) {
             std::vector<std::pair<double, double>> points;
             for (Row const& row : rows)
                 if (row.scene == scene && row.contestant.method == method && row.errors.median > rounding)
@@ -157,7 +163,8 @@ void write_against_peers(std::vector<Row> const& rows, std::ostream& to) {
        << "# scene\tpeer\tadvised\tonce\tbest\texact error\tadvised error\tbest error\tbest setting\n";
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (std::string const& scene : scenes_of(rows))
-        for (char const* const peer : {"Box2D", "Chipmunk"}) {
+        for (Peer const& engine : known_peers()) {
+            std::string const& peer = engine.name;
             Row const* const exact =
                 first_row(rows, scene, [](Row const& row) { return row.contestant.method == "exact"; });
             Row const* const advised = first_row(rows, scene, [&](Row const& row) {

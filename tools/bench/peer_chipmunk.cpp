@@ -160,14 +160,16 @@ private:
     ChipmunkWorld chipmunk_;
 };
 
-}  // namespace
-
-std::unique_ptr<Engine> chipmunk_engine(Contestant const& contestant, Task const& task) {
+std::unique_ptr<Engine> start(Contestant const& contestant, Task const& task) {
     return std::make_unique<ChipmunkEngine>(contestant, task);
 }
 
-std::unique_ptr<Pile> chipmunk_pile(physics::Scene const& scene, int iterations) {
+std::unique_ptr<Pile> pile(physics::Scene const& scene, int iterations) {
     return std::make_unique<ChipmunkPile>(scene, iterations);
 }
+
+bool const is_known = make_known({"Chipmunk", start, pile, {{"10 iterations", 10}, {"40 iterations", 40}}});
+
+}  // namespace
 
 }  // namespace bench
