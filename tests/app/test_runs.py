@@ -75,8 +75,10 @@ class Runs(ProgramTest):
         runs = sorted((ASSETS / "runs").glob("*.json"))
         self.assertGreaterEqual(len(runs), 2)
         for run in runs:
-            kinds = [line.split(",")[2] for line in self.done("simulate", run, "--events").decode().splitlines()]
-            self.assertEqual((kinds.count("goal"), kinds.count("fall")), (1, 0), run.name)
+            rows = [line.split(",") for line in self.done("simulate", run, "--events").decode().splitlines()]
+            kinds = [row[2] for row in rows]
+            falls = [row for row in rows if row[2] == "fall" and row[1] == "0"]  # other balls may fall
+            self.assertEqual((kinds.count("goal"), len(falls)), (1, 0), run.name)
             # A dozen joints are passed on the way: a ball that swings over one for ever tells thousands.
             self.assertLess(kinds.count("joint"), 100, run.name)
 

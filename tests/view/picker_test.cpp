@@ -51,7 +51,7 @@ TEST_CASE("a thumbnail of every level that ships shows its ground, whoever paint
         CHECK(ground > 0.01 * level.size.x() * level.size.y());
         ++levels;
     }
-    CHECK(levels >= 16);
+    CHECK(levels >= 20);
 }
 
 TEST_CASE("rows that are not seen are counted, and the bar scrolls towards them alone") {
