@@ -177,7 +177,7 @@ void Elements::read_terrain(Element const& element) {
 
 std::vector<Decoration> Elements::painted(Element const& element, std::vector<Outline> const& outlines,
                                           Style const& style) {
-    return decorations_of(outlines, style, scale_of(element.context.to_world), paints_);
+    return decorations_of(outlines, style, element.context.to_world, paints_);
 }
 
 // Terrain keeps the paint that the drawing gives it. Where that is none, or none that is known, it gets grass and soil

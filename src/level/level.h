@@ -21,6 +21,13 @@ struct Outline {
     bool painted = false;  // of terrain that the drawing paints itself: no grass and no soil
 };
 
+// A fill that goes evenly from one colour to another down the world, and keeps them beyond.
+struct Fade {
+    std::string top, bottom;  // CSS colours as #rrggbb
+    double top_opacity = 1, bottom_opacity = 1;
+    double top_y = 0, bottom_y = 0;  // m, where it begins and ends
+};
+
 // What the drawing paints itself: drawn behind the scene and otherwise without effect.
 struct Decoration {
     std::vector<Outline> outlines;
@@ -29,6 +36,7 @@ struct Decoration {
     double stroke_width = 0;            // m
     double opacity = 1;
     geometry::FillRule fill_rule = geometry::FillRule::even_odd;
+    std::optional<Fade> fade = std::nullopt;  // what fills it; `fill` and `opacity` are its means then
 };
 
 // The colours that the drawing gives a ball or a goal, as in Decoration; what it leaves open is the program's to

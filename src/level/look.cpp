@@ -29,19 +29,23 @@ std::optional<std::string> colour_given(std::string_view text, Style const& styl
 
 }  // namespace
 
-std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style, double metres_per_unit,
+std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style, Affine const& to_world,
                                        Paints& paints) {
     std::vector<Decoration> parts;
     if (!same_word(style.visibility, "visible") || outlines.empty()) return parts;
-    auto const fill = paints.paint_in(style.fill.empty() ? "black" : style.fill, style.color);
+    auto const fill = paints.fill_in(style.fill.empty() ? "black" : style.fill, style.color, to_world);
     auto const stroke = paints.paint_in(style.stroke.empty() ? "none" : style.stroke, style.color);
     if (fill) {
         bool const is_even_odd = same_word(style.fill_rule, "evenodd");
-        parts.push_back({outlines, fill->colour, std::nullopt, 0,
-                         style.opacity * fill->opacity * share_in(style.fill_opacity, 1),
-                         is_even_odd ? geometry::FillRule::even_odd : geometry::FillRule::nonzero});
+        double const opacity = style.opacity * share_in(style.fill_opacity, 1);
+        parts.push_back({outlines, fill->colour, std::nullopt, 0, opacity * fill->opacity,
+                         is_even_odd ? geometry::FillRule::even_odd : geometry::FillRule::nonzero, fill->fade});
+        if (auto& fade = parts.back().fade) {
+            fade->top_opacity *= opacity;
+            fade->bottom_opacity *= opacity;
+        }
     }
-    double const width = stroke ? width_in(style.stroke_width) * metres_per_unit : 0;
+    double const width = stroke ? width_in(style.stroke_width) * scale_of(to_world) : 0;
     if (width > 0)
         parts.push_back({outlines, std::nullopt, stroke->colour, width,
                          style.opacity * stroke->opacity * share_in(style.stroke_opacity, 1)});

@@ -13,7 +13,7 @@ namespace level {
 
 // The filled and the stroked part of a shape, at most one of each. Throws Unsupported for paint or a width of stroke
 // that this program does not know.
-std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style, double metres_per_unit,
+std::vector<Decoration> decorations_of(std::vector<Outline> const& outlines, Style const& style, Affine const& to_world,
                                        Paints& paints);
 
 // The plain colours that a style gives; what it leaves open, or paints otherwise, is left to the program.

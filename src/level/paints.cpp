@@ -1,25 +1,40 @@
 #include "level/paints.h"
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
+#include <limits>
 
-#include "level/colours.h"
 #include "level/document.h"
 #include "level/faults.h"
+#include "level/lengths.h"
 #include "level/numbers.h"
 
 namespace level {
 
 namespace {
 
-struct Stop {
-    double share = 0;  // of the painted area before it
-    Colour colour;     // red, green and blue times the opacity
+struct Share {
+    double before = 0;  // of the painted area
+    Colour colour;      // red, green and blue times the opacity
 };
 
-Colour premultiplied(Colour const& colour, double opacity) {
-    double const all = colour.opacity * opacity;
+Colour premultiplied(Colour const& colour) {
+    double const all = colour.opacity;
     return {colour.red * all, colour.green * all, colour.blue * all, all};
+}
+
+Colour opaque(Colour const& colour) { return {colour.red, colour.green, colour.blue, 1}; }
+
+// In user space, of the attributes that name it; nothing where one is missing, in per cent or no length.
+std::optional<Vec2> point_in(pugi::xml_node node, char const* x, char const* y) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // what per cent are of
+    try {
+        Vec2 const point(length_of_text(node.attribute(x).value(), nothing),
+                         length_of_text(node.attribute(y).value(), nothing));
+        if (std::isfinite(point.x()) && std::isfinite(point.y())) return point;
+    } catch (Broken const&) {
+    }
+    return std::nullopt;
 }
 
 Paint paint_of(Colour const& sum) {
@@ -29,7 +44,7 @@ Paint paint_of(Colour const& sum) {
 }
 
 // The mean over the painted area, the first and the last colour reaching to its ends.
-Paint mean_of_stops(std::vector<Stop> const& stops) {
+Paint mean_of_shares(std::vector<Share> const& shares) {
     Colour sum{0, 0, 0, 0};
     auto const add = [&](double share, Colour const& from, Colour const& to) {
         sum.red += share * (from.red + to.red) / 2;
@@ -37,11 +52,19 @@ Paint mean_of_stops(std::vector<Stop> const& stops) {
         sum.blue += share * (from.blue + to.blue) / 2;
         sum.opacity += share * (from.opacity + to.opacity) / 2;
     };
-    add(stops.front().share, stops.front().colour, stops.front().colour);
-    for (std::size_t i = 1; i < stops.size(); ++i)
-        add(stops[i].share - stops[i - 1].share, stops[i - 1].colour, stops[i].colour);
-    add(1 - stops.back().share, stops.back().colour, stops.back().colour);
+    add(shares.front().before, shares.front().colour, shares.front().colour);
+    for (std::size_t i = 1; i < shares.size(); ++i)
+        add(shares[i].before - shares[i - 1].before, shares[i - 1].colour, shares[i].colour);
+    add(1 - shares.back().before, shares.back().colour, shares.back().colour);
     return paint_of(sum);
+}
+
+// The id in url(#id).
+std::string named_in(std::string_view text) {
+    std::string_view name = trimmed(text.substr(4, text.find(')') - 4));
+    bool const has_quotes = name.size() > 1 && (name[0] == '"' || name[0] == '\'') && name.back() == name[0];
+    if (has_quotes) name = name.substr(1, name.size() - 2);
+    return std::string(name.substr(0, 1) == "#" ? name.substr(1) : std::string_view());
 }
 
 bool is_gradient(pugi::xml_node node) {
@@ -60,26 +83,58 @@ pugi::xml_node Paints::gradient(std::string const& id) {
 }
 
 // A gradient without stops has those of the one that it refers to.
-std::optional<Paint> Paints::mean_of(std::string const& id) {
+std::vector<GradientStop> Paints::stops_of(pugi::xml_node node) {
     constexpr int longest_chain = 16;
-    pugi::xml_node node = gradient(id);
-    bool const is_radial = Document::tag_of(node) == "radialGradient";
-    std::vector<Stop> stops;
+    std::vector<GradientStop> stops;
     for (int i = 0; i < longest_chain && node && stops.empty(); ++i) {
         for (pugi::xml_node const child : node.children()) {
             if (Document::tag_of(child) != "stop") continue;
             Style const style = styles_.of(child, Style{});
             auto const colour = colour_in(same_word(style.stop_color, "currentcolor") ? style.color : style.stop_color);
-            double const least = stops.empty() ? 0 : stops.back().share;
-            double const offset = share_in(child.attribute("offset").value(), 0);
-            stops.push_back({std::max(is_radial ? offset * offset : offset, least),
-                             premultiplied(colour.value_or(Colour{0, 0, 0, 0}), share_in(style.stop_opacity, 1))});
+            double const least = stops.empty() ? 0 : stops.back().offset;
+            stops.push_back(
+                {std::max(share_in(child.attribute("offset").value(), 0), least), colour.value_or(Colour{0, 0, 0, 0})});
+            stops.back().colour.opacity *= share_in(style.stop_opacity, 1);
         }
         std::string_view const reference = Document::reference_of(node);
         node = reference.substr(0, 1) == "#" ? gradient(std::string(reference.substr(1))) : pugi::xml_node();
     }
-    if (stops.empty()) return std::nullopt;
-    return mean_of_stops(stops);
+    return stops;
+}
+
+std::optional<Paint> Paints::mean_of(std::string const& id) {
+    pugi::xml_node const node = gradient(id);
+    bool const is_radial = Document::tag_of(node) == "radialGradient";
+    std::vector<Share> shares;
+    for (GradientStop const& stop : stops_of(node))
+        shares.push_back({is_radial ? stop.offset * stop.offset : stop.offset, premultiplied(stop.colour)});
+    if (shares.empty()) return std::nullopt;
+    return mean_of_shares(shares);
+}
+
+std::optional<Fade> Paints::fade_of(std::string const& id, Affine const& to_world) {
+    pugi::xml_node const node = gradient(id);
+    auto const is = [&](char const* name, std::string_view value) { return node.attribute(name).value() == value; };
+    if (Document::tag_of(node) != "linearGradient" || !is("gradientUnits", "userSpaceOnUse")) return std::nullopt;
+    if (node.attribute("gradientTransform") || !(is("spreadMethod", "") || is("spreadMethod", "pad")))
+        return std::nullopt;
+    auto const from = point_in(node, "x1", "y1"), to = point_in(node, "x2", "y2");
+    std::vector<GradientStop> const stops = stops_of(node);
+    if (!from || !to || stops.size() != 2) return std::nullopt;
+    bool const is_upright = to_world.b == 0 && to_world.c == 0;
+    if (!is_upright || from->x() != to->x()) return std::nullopt;
+    auto const world_y = [&](GradientStop const& stop) {
+        return mapped(to_world, *from + stop.offset * (*to - *from)).y();
+    };
+    bool const goes_down = world_y(stops[0]) > world_y(stops[1]);
+    GradientStop const &top = goes_down ? stops[0] : stops[1], &bottom = goes_down ? stops[1] : stops[0];
+    if (world_y(top) == world_y(bottom)) return std::nullopt;
+    return Fade{hexadecimal_of(opaque(top.colour)),
+                hexadecimal_of(opaque(bottom.colour)),
+                top.colour.opacity,
+                bottom.colour.opacity,
+                world_y(top),
+                world_y(bottom)};
 }
 
 std::optional<Paint> Paints::paint_in(std::string_view text, std::string_view current) {
@@ -91,10 +146,7 @@ std::optional<Paint> Paints::paint_in(std::string_view text, std::string_view cu
         auto const colour = colour_in(text);
         return colour ? std::optional(Paint{hexadecimal_of(*colour), colour->opacity}) : std::nullopt;
     }
-    std::string_view name = trimmed(text.substr(4, close - 4));
-    bool const has_quotes = name.size() > 1 && (name[0] == '"' || name[0] == '\'') && name.back() == name[0];
-    if (has_quotes) name = name.substr(1, name.size() - 2);
-    std::string const id(name.substr(0, 1) == "#" ? name.substr(1) : std::string_view());
+    std::string const id = named_in(text);
     auto const known = means_.find(id);
     auto const mean = known != means_.end() ? known->second : means_.emplace(id, mean_of(id)).first->second;
     met_gradients_ = met_gradients_ || mean.has_value();
@@ -102,6 +154,16 @@ std::optional<Paint> Paints::paint_in(std::string_view text, std::string_view cu
     std::string_view const otherwise = trimmed(text.substr(close + 1));
     if (!otherwise.empty() && !same_word(otherwise.substr(0, 4), "url(")) return paint_in(otherwise, current);
     throw Unsupported("the paint " + quoted(text));
+}
+
+std::optional<Paint> Paints::fill_in(std::string_view text, std::string_view current, Affine const& to_world) {
+    bool const met_others = met_gradients_;
+    auto paint = paint_in(text, current);
+    std::string_view const reference = trimmed(text);
+    if (!paint || !same_word(reference.substr(0, 4), "url(")) return paint;
+    paint->fade = fade_of(named_in(reference), to_world);
+    if (paint->fade) met_gradients_ = met_others;
+    return paint;
 }
 
 }  // namespace level

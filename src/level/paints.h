@@ -1,20 +1,30 @@
-// What paints a shape, as one colour: a gradient stands for the mean of its stops.
+// What paints a shape: a colour, or a gradient straight down; any other gradient stands for the mean of its stops.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include <pugixml.hpp>
 
+#include "level/colours.h"
+#include "level/level.h"
 #include "level/style.h"
+#include "level/transform.h"
 
 namespace level {
 
 struct Paint {
     std::string colour;  // #rrggbb
     double opacity = 1;
+    std::optional<Fade> fade = std::nullopt;  // of fills; the others are its means
+};
+
+struct GradientStop {
+    double offset = 0;  // 0 to 1, never below the one before
+    Colour colour;      // straight alpha
 };
 
 class Paints {
@@ -25,10 +35,16 @@ public:
     // neither a colour nor a gradient of this file, patterns for one.
     std::optional<Paint> paint_in(std::string_view text, std::string_view current);
 
+    // The same of a fill, with a gradient of two stops in user space that goes straight down the world.
+    std::optional<Paint> fill_in(std::string_view text, std::string_view current, Affine const& to_world);
+
+    // Whether one was met that stands for its mean.
     bool met_gradients() const { return met_gradients_; }
 
 private:
+    std::vector<GradientStop> stops_of(pugi::xml_node node);
     std::optional<Paint> mean_of(std::string const& id);
+    std::optional<Fade> fade_of(std::string const& id, Affine const& to_world);
     pugi::xml_node gradient(std::string const& id);
 
     pugi::xml_node root_;

@@ -175,12 +175,23 @@ void add_line(std::vector<Shape>& shapes, level::Outline const& outline, Camera 
     }
 }
 
+Paint fading_paint(level::Fade const& fade, Camera const& camera) {
+    Paint paint;
+    paint.top = faded(drawn_colour(fade.top), static_cast<float>(fade.top_opacity));
+    paint.bottom = faded(drawn_colour(fade.bottom), static_cast<float>(fade.bottom_opacity));
+    paint.down = pixels_along(camera, -Vec2::UnitY()) / camera.scale;
+    paint.top_y = geometry::dot(pixel_of(camera, {0, fade.top_y}), paint.down);
+    paint.bottom_y = geometry::dot(pixel_of(camera, {0, fade.bottom_y}), paint.down);
+    return paint;
+}
+
 void add_decoration(std::vector<Shape>& shapes, level::Decoration const& decoration, Camera const& camera) {
     if (decoration.fill) {
         Area area;
         area.rule = decoration.fill_rule;
         area.paint.top = area.paint.bottom =
             faded(drawn_colour(*decoration.fill), static_cast<float>(decoration.opacity));
+        if (decoration.fade) area.paint = fading_paint(*decoration.fade, camera);
         for (level::Outline const& outline : decoration.outlines) {
             std::vector<Vec2>& ring = area.rings.emplace_back();
             for (Vec2 const& point : points_along(outline, 1e9)) ring.push_back(pixel_of(camera, point));

@@ -92,6 +92,61 @@ TEST_CASE("a gradient stands for its mean colour") {
     CHECK(level.remarks[0].text == "svg: gradients are shown as their mean colour");
 }
 
+TEST_CASE("a gradient straight down is kept, all others stand for their means") {
+    std::string const stops = "<stop stop-color='#123456' stop-opacity='0'/><stop offset='1' stop-color='#f80'/>";
+    auto const of = [](std::string const& attributes, std::string const& given, std::string const& shape = "") {
+        auto const level = read(with("<linearGradient id='a' " + attributes + ">" + given + "</linearGradient><rect " +
+                                     shape + " fill='url(#a)' fill-opacity='.5' width='1' height='8'/>"));
+        CHECK(level.remarks.empty() == level.decorations.at(0).fade.has_value());
+        return level.decorations.at(0).fade;
+    };
+    std::string const user_space = "gradientUnits='userSpaceOnUse' ";
+    auto const down = of(user_space + "x1='3' y1='2' x2='3' y2='6'", stops);
+    REQUIRE(down);
+    CHECK(down->top == "#123456");
+    CHECK(down->bottom == "#ff8800");
+    CHECK(down->top_opacity == 0);
+    CHECK(down->bottom_opacity == 0.5);
+    CHECK(down->top_y == 7);  // the page is 9 m high
+    CHECK(down->bottom_y == 3);
+
+    auto const up = of(user_space + "x1='3' y1='6' x2='3' y2='2'", stops, "transform='translate(0 1)'");
+    REQUIRE(up);
+    CHECK(up->top == "#ff8800");
+    CHECK(up->top_y == 6);
+    CHECK(up->bottom_y == 2);
+
+    std::string const half = "<stop offset='.5' stop-color='red'/><stop offset='1' stop-color='blue'/>";
+    auto const late = of(user_space + "x1='0' y1='2' x2='0' y2='6'", half);
+    REQUIRE(late);
+    CHECK(late->top_y == 5);
+    CHECK(late->bottom_y == 3);
+
+    CHECK(!of("x1='0' y1='0' x2='0' y2='1'", stops));  // of the shape's box
+    CHECK(!of(user_space + "x1='3' y1='2' x2='4' y2='6'", stops));
+    CHECK(!of(user_space + "x1='3' y1='2' x2='3' y2='2'", stops));
+    CHECK(!of(user_space + "y1='2' y2='6'", stops));
+    CHECK(!of(user_space + "x1='3' y1='20%' x2='3' y2='6'", stops));
+    CHECK(!of(user_space + "x1='3' y1='2' x2='3' y2='6' spreadMethod='reflect'", stops));
+    CHECK(!of(user_space + "x1='3' y1='2' x2='3' y2='6' gradientTransform='rotate(9)'", stops));
+    CHECK(!of(user_space + "x1='3' y1='2' x2='3' y2='6'", stops, "transform='rotate(30)'"));
+    CHECK(!of(user_space + "x1='3' y1='2' x2='3' y2='6'", stops + "<stop offset='1' stop-color='red'/>"));
+}
+
+TEST_CASE("a mean is told, whatever is met after it") {
+    std::string const defs =
+        "<radialGradient id='a'><stop stop-color='red'/></radialGradient>"
+        "<linearGradient id='b' gradientUnits='userSpaceOnUse' x1='0' y1='0' x2='0' y2='1'>"
+        "<stop stop-color='red'/><stop offset='1' stop-color='blue'/></linearGradient>";
+    std::string const rect = "<rect width='1' height='1' fill='url(#";
+    for (std::string const later : {"b", "none"}) {
+        int told = 0;
+        for (level::Finding const& remark : read(with(defs + rect + "a)'/>" + rect + later + ")'/>")).remarks)
+            told += remark.text == "svg: gradients are shown as their mean colour" ? 1 : 0;
+        CHECK(told == 1);
+    }
+}
+
 TEST_CASE("colours in every notation of CSS") {
     auto const of = [](std::string const& colour) {
         return painted("<path class='terrain' fill='" + colour + "' " + earth + "/>");

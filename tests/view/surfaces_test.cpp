@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "stages.h"
+#include "view/backdrop.h"
 #include "view/surface_look.h"
 
 using view::Vec2;
@@ -82,4 +83,34 @@ TEST_CASE("a look that the drawing gives is left alone") {
     view::Ground const ground = view::ground_of(level);
     CHECK(ground.marks.empty());
     CHECK(ground.patches.empty());
+}
+
+TEST_CASE("a fill that fades goes down the world, however the picture is turned") {
+    level::Level level = floor_level(16, 9);
+    level::Decoration pit;
+    pit.outlines = {{{geometry::Segment{{1, 1}, {9, 1}}, geometry::Segment{{9, 1}, {9, 8}},
+                      geometry::Segment{{9, 8}, {1, 8}}, geometry::Segment{{1, 8}, {1, 1}}},
+                     true}};
+    pit.fill = "#808080";
+    pit.fade = level::Fade{"#ff0000", "#0000ff", 0, 0.5, 7, 3};
+    level.decorations.push_back(pit);
+    for (Vec2 const& right : {Vec2(1, 0), Vec2(0.8, 0.6)}) {
+        view::Camera const camera{Vec2(8, 4.5), 80, Vec2(1280, 720), right};
+        int met = 0;
+        for (view::Shape const& shape : view::backdrop_shapes(level, view::ground_of(level), camera)) {
+            auto const* area = std::get_if<view::Area>(&shape);
+            if (!area || area->paint.bottom.alpha != 0.5f) continue;
+            ++met;
+            view::Paint const& paint = area->paint;
+            CHECK(paint.top.red == 1);
+            CHECK(paint.top.alpha == 0);
+            CHECK(paint.bottom.blue == 1);
+            // Points of the world at the heights where it begins and ends, wherever they lie.
+            for (double const x : {2.0, 7.0}) {
+                CHECK(geometry::dot(view::pixel_of(camera, {x, 7}), paint.down) == doctest::Approx(paint.top_y));
+                CHECK(geometry::dot(view::pixel_of(camera, {x, 3}), paint.down) == doctest::Approx(paint.bottom_y));
+            }
+        }
+        CHECK(met == 1);
+    }
 }
