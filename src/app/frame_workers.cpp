@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/interrupt.h"
+#include "screen/heap.h"
 #include "screen/offscreen.h"
 
 namespace app {
@@ -118,6 +119,7 @@ void FrameWorkers::paint_orders() {
 
 void FrameWorkers::work() {
     leave_interrupts_to_the_main_thread();
+    screen::prepare_heap_of_thread();
     try {
         paint_orders();
     } catch (...) {

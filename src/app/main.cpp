@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/output.h"
+#include "screen/heap.h"
 
 namespace {
 
@@ -60,6 +61,7 @@ int fail(int status, std::string const& what) {
 }  // namespace
 
 int main(int count, char** words) {
+    screen::prepare_heap();
     app::hold_standard_streams();
     app::watch_for_interrupts();
     try {

@@ -7,24 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
+#include "screen/heap.h"
 #include "screen/mesa.h"
 
 namespace screen {
 namespace {
-
-// A frame takes megabytes of passing memory. Left to itself glibc gives much of them back to the system after each
-// frame and has them faulted in again, which costs a tenth of painting and more of the slowest frames.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-    constexpr int kept = 256 << 20, largest_in_heap = 32 << 20;  // bytes; glibc takes no larger threshold
-    mallopt(M_TRIM_THRESHOLD, kept);
-    mallopt(M_MMAP_THRESHOLD, largest_in_heap);
-#endif
-}
 
 // Painting on the calling thread alone gives the most pictures a second when each thread has a context of its own.
 // Mesa looks at this once, at its first context.
@@ -32,7 +19,7 @@ void prepare_process() {
     static std::once_flag once;
     std::call_once(once, [] {
         setenv("LP_NUM_THREADS", "0", 0);
-        keep_freed_memory();
+        prepare_heap();
     });
 }
 
