@@ -66,7 +66,7 @@ void send_pointer(PlayGame& game) {
 }
 
 void lean(PlayGame& game, double simulated) {
-    double const limit = game.stage->level.tilt_limit;
+    double const limit = game.stage->level->tilt_limit;
     double const now = game.session.world.forces.tilt;
     double const leaning = leaning_of(game);
     if (game.replay_end && (leaning == 0 || game.screen == Screen::title)) return;
@@ -85,7 +85,7 @@ void note_set_aside(std::optional<std::filesystem::path> const& aside, char cons
 void note_goal(PlayGame& game) {
     if (game.noted || !game.session.goal_time || *game.session.goal_time > present_time(game)) return;
     game.noted = true;
-    level::Level const& level = game.stage->level;
+    level::Level const& level = *game.stage->level;
     double const time = *game.session.goal_time;
     try {
         note_set_aside(game::note_time(level, time).set_aside, "best times");
@@ -121,7 +121,7 @@ double flight_of(PlayGame const& game) {
 view::Camera camera_of(PlayGame const& game) {
     view::Camera const camera =
         view::camera_of(game.session, shown_time(game), game.size, turning_of(game), lens_of(game));
-    return view::towards_goal(game.stage->level, camera, flight_of(game));
+    return view::towards_goal(*game.stage->level, camera, flight_of(game));
 }
 
 bool is_over(PlayGame const& game) {
@@ -140,7 +140,7 @@ void begin(PlayGame& game) {
 }
 
 std::optional<int> ball_at(PlayGame const& game, view::Camera const& camera, Vec2 const& pixel) {
-    level::Level const& level = game.stage->level;
+    level::Level const& level = *game.stage->level;
     if (level.drag_reach <= 0 || game.screen == Screen::title) return std::nullopt;
     if (!game.looked_at && is_over(game)) return std::nullopt;
     Vec2 const point = view::world_of(camera, pixel);
@@ -232,7 +232,7 @@ void cycle_overlay(PlayGame& game) {
 
 std::optional<std::string> save_run(PlayGame& game) {
     try {
-        std::string const file = free_run_name(game.stage->level.file);
+        std::string const file = free_run_name(game.stage->level->file);
         game::write_run(run_to_save(game.session), file);
         say(game, Text::saved, {file});
         note("smb2d: saved " + file);
@@ -258,7 +258,7 @@ void pass(PlayGame& game, double elapsed) {
     if (game.help || game.menu_row || game.settings) return;
     game.lean_is_old = game.lean_is_old && leaning_of(game) != 0;
     bool const tilts =
-        leaning_of(game) != 0 && !game.lean_is_old && game.stage->level.tilt_limit > 0 && game.screen == Screen::game;
+        leaning_of(game) != 0 && !game.lean_is_old && game.stage->level->tilt_limit > 0 && game.screen == Screen::game;
     if (tilts && game.looked_at) go_on_from_past(game);
     if (tilts) begin(game);
     if (game.waiting || has_come_to_an_end(game)) return;

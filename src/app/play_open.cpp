@@ -40,7 +40,7 @@ PlayGame game_of(std::string const& file, game::MethodWish const& wish) {
     game.wish = wish;
     Opened const opening = opened(file);
     game.watch.read = stamp_of(opening.level->file);
-    game.stage = std::make_shared<view::Stage const>(view::stage_of(*opening.level));
+    game.stage = std::make_shared<view::Stage const>(view::stage_of(opening.level));
     open_session(game, opening);
     return game;
 }
@@ -105,8 +105,8 @@ void restart(PlayGame& game) {
 
 void accompany(PlayGame& game, std::string const& run) {
     Opened const opening = opened(run);
-    if (opening.level->hash != game.stage->level.hash)
-        throw std::runtime_error(run + ": is a run of another level than " + game.stage->level.file);
+    if (opening.level->hash != game.stage->level->hash)
+        throw std::runtime_error(run + ": is a run of another level than " + game.stage->level->file);
     auto session = std::make_shared<game::Session>(session_for(opening, {}));
     game::advance(*session, duration_of(opening.run).value());
     game.companion = std::move(session);
@@ -119,7 +119,7 @@ PlayGame title_of_run(std::string const& run, game::MethodWish const& wish) {
 }
 
 bool follow_file(PlayGame& game, double elapsed) {
-    std::string const file = game.stage->level.file;
+    std::string const file = game.stage->level->file;
     if (!is_saved_anew(game.watch, file, elapsed)) return false;
     try {
         view::Lens const lens = game.lens;

@@ -49,7 +49,7 @@ view::TrajectoryPreview trajectory_preview(PlayGame const& game, view::Premise p
                                            physics::History const& coming) {
     physics::Pull const& pull = *game.session.world.forces.pull;
     view::TrajectoryPreview preview =
-        view::trajectory_preview(coming, game.stage->level.scene, pull.ball, shown_time(game), foreseen);
+        view::trajectory_preview(coming, game.stage->level->scene, pull.ball, shown_time(game), foreseen);
     preview.premise = premise;
     return preview;
 }
@@ -57,7 +57,7 @@ view::TrajectoryPreview trajectory_preview(PlayGame const& game, view::Premise p
 // While the player aims: where the spring takes the ball, and where it flies when it is let go now.
 std::vector<view::TrajectoryPreview> coming_of(PlayGame const& game, view::Camera const& camera) {
     if (!game.held || !game.session.world.forces.pull) return {};
-    if (game.stage->level.scene.balls.size() > most_foreseen_balls) return {};
+    if (game.stage->level->scene.balls.size() > most_foreseen_balls) return {};
     Vec2 const pointer = view::world_of(camera, *game.held);
     return {trajectory_preview(game, view::Premise::held, game::what_if_held(game.session, pointer, foreseen)),
             trajectory_preview(game, view::Premise::let_go, game::what_if(game.session, game::Release{}, foreseen))};
@@ -102,7 +102,7 @@ void add_written(PlayGame const& game, view::Picture& picture, std::vector<view:
 }
 
 double briefing_presence(PlayGame const& game) {
-    if (game.replay_end || game.file != game.stage->level.file) return 0;
+    if (game.replay_end || game.file != game.stage->level->file) return 0;
     if (game.waiting) return std::min(1.0, game.wall_time / briefing_fading);
     return 1 - (game.wall_time - game.started_at) / briefing_fading;
 }
@@ -117,12 +117,12 @@ struct Seen {
 };
 Seen seen_ball(PlayGame const& game, view::Camera const& camera, view::Moment const& moment, int ball) {
     auto const i = static_cast<std::size_t>(ball);
-    return {view::pixel_of(camera, moment.balls[i].position), game.stage->level.scene.balls[i].radius * camera.scale};
+    return {view::pixel_of(camera, moment.balls[i].position), game.stage->level->scene.balls[i].radius * camera.scale};
 }
 
 // What the player has yet to learn, shown while the world waits: first the pull, then the tilt.
 std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const& camera, view::Moment const& moment) {
-    level::Level const& level = game.stage->level;
+    level::Level const& level = *game.stage->level;
     bool const is_covered = game.menu_row || game.settings || game.help;
     if (!game.waiting || is_covered || flight_of(game) > 0) return {};
     double const unit = view::hud_scale(game.size);
@@ -138,7 +138,7 @@ std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const&
 
 // Where the hint does not lie over the ball that it speaks of.
 view::Side side_of_briefing(PlayGame const& game) {
-    level::Level const& level = game.stage->level;
+    level::Level const& level = *game.stage->level;
     if (!game.waiting && briefing_presence(game) <= 0) return view::Side::lower;
     view::Camera const camera = view::camera_of(game.session, 0, game.size, view::Turning::never, lens_of(game));
     Vec2 const start = level.scene.balls[static_cast<std::size_t>(level.player)].start.position;
@@ -149,9 +149,9 @@ view::Side side_of_briefing(PlayGame const& game) {
 std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const& other, view::Camera const& camera) {
     double const time = shown_time(game);
     if (time > other.world.time || time < other.history.from) return {};
-    int const player = game.stage->level.player;
+    int const player = game.stage->level->player;
     physics::State const ball = physics::state_at(other.history, player, time);
-    double const radius = game.stage->level.scene.balls[static_cast<std::size_t>(player)].radius * camera.scale;
+    double const radius = game.stage->level->scene.balls[static_cast<std::size_t>(player)].radius * camera.scale;
     return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle - view::turn_of(camera));
 }
 
@@ -203,7 +203,7 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
         }
     double const presence = briefing_presence(game);
     view::Side const side = side_of_briefing(game);
-    add(view::briefing_shapes(game.stage->level, presence, game.size, side, wording_of(game)));
+    add(view::briefing_shapes(*game.stage->level, presence, game.size, side, wording_of(game)));
     add(lesson_shapes(game, camera, moment));
     std::string const badge = badge_of(game);
     if (!badge.empty()) add(view::badge_shapes(badge, game.size));
@@ -226,7 +226,7 @@ view::Picture picture_of(PlayGame const& game, Picker const& picker) {
 bool is_on_film_button(PlayGame const& game, Vec2 const& pixel) {
     if (!is_card_open(game) || !game.session.goal_time) return false;
     view::Moment const moment = view::moment_of(game.session, shown_time(game), view::Recall::nothing);
-    return view::is_on_film_button(game.stage->level, moment, pixel, game.size, ending_note(game, moment));
+    return view::is_on_film_button(*game.stage->level, moment, pixel, game.size, ending_note(game, moment));
 }
 
 }  // namespace app

@@ -182,7 +182,7 @@ Tour tour_of_folder(std::string const& folder) {
 }
 
 std::string title_of(PlayGame const& game) {
-    level::Level const& level = game.stage->level;
+    level::Level const& level = *game.stage->level;
     std::string const name = level.title.empty() ? std::filesystem::path(level.file).stem().string() : level.title;
     return "Super Monkey Ball 2D - " + name;
 }

@@ -36,7 +36,7 @@ void PlaySound::follow(PlayGame const& game, double elapsed) {
     if (!audio_) return;
     double const now = present_time(game);
     if (game.stage != stage_ || now < heard_) {
-        live_.begin(sound::world_of(game.stage->level));
+        live_.begin(sound::world_of(*game.stage->level));
         // What happens at the very beginning is heard too.
         heard_ = now > 0 ? now : -1;
     }

@@ -86,7 +86,7 @@ Sequence sequence_for(SequenceOptions const& options) {
     sequence.session = watched_session_for(opening, wish);
     sequence.count = count_of(sequence, to ? *to : duration_of(opening.run), options.rate);
     sequence.jobs = static_cast<int>(std::min<long long>(jobs, sequence.count));
-    sequence.stage = view::stage_of(*opening.level);
+    sequence.stage = view::stage_of(opening.level);
     return sequence;
 }
 

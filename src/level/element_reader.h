@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "level/attributes.h"
@@ -59,7 +60,7 @@ public:
     int balls_met() const { return balls_met_; }                  // sound or not
     std::vector<int> const& players() const { return players_; }  // balls with the id player
     std::vector<int> const& copied_players() const { return copied_players_; }
-    std::vector<physics::Piece> const& pieces() const { return pieces_; }
+    std::vector<physics::Piece> take_pieces() { return std::move(pieces_); }  // none are left
 
 private:
     struct Element {

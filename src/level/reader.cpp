@@ -121,7 +121,7 @@ Reading reading_of(std::string const& file) {
     choose_player(reading, walk.elements(), document.line_of(document.root()));
     add_fall(reading.level);
     if (walk.elements().is_overfull()) reading.in_place = false;
-    if (reading.in_place) reading.level.scene.terrain = physics::terrain_of(walk.elements().pieces());
+    if (reading.in_place) reading.level.scene.terrain = physics::terrain_of(walk.take_pieces());
     if (reading.in_place) settle_starts(reading);
     remark_on_strokes(reading);
     remark_on_look(reading, document, walk);

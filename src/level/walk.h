@@ -20,6 +20,7 @@ public:
     Walk(Document const& document, Frame const& frame, Reading& reading);
 
     Elements const& elements() const { return elements_; }
+    std::vector<physics::Piece> take_pieces() { return elements_.take_pieces(); }
     std::vector<Undrawn> const& undrawn() const { return styles_.undrawn(); }
 
 private:

@@ -1,6 +1,8 @@
 // What a level looks like at one moment: the whole picture, as data.
 #pragma once
 
+#include <memory>
+
 #include "view/camera.h"
 #include "view/contrast.h"
 #include "view/ending.h"
@@ -13,10 +15,10 @@ namespace view {
 
 // A level made ready for pictures: what its look needs and no camera changes is found once.
 struct Stage {
-    level::Level level;
+    std::shared_ptr<level::Level const> level;
     Ground ground;
 };
-Stage stage_of(level::Level level);
+Stage stage_of(std::shared_ptr<level::Level const> level);
 
 enum class Lettering { game, none };  // none: the scene alone, behind the title
 struct Dressing {

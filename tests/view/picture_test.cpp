@@ -20,7 +20,7 @@ physics::State rolling_state() {
 }
 
 view::Picture picture_at(level::Level const& level, double time, view::Moment const& more = {}) {
-    view::Stage const stage = view::stage_of(level);
+    view::Stage const stage = view::stage_of(std::make_shared<level::Level const>(level));
     physics::History const history = steady_history(rolling_state());
     view::Moment moment = view::moment_at(level, history, time);
     moment.forces = more.forces;

@@ -41,8 +41,8 @@ double quantile(std::vector<double> values, double share) {
 
 Costs costs_of(std::string const& file) {
     game::Run const run = game::read_run(file);
-    view::Stage const stage = view::stage_of(level::read_level(run.level_file));
-    auto const level = std::make_shared<level::Level const>(stage.level);
+    auto const level = std::make_shared<level::Level const>(level::read_level(run.level_file));
+    view::Stage const stage = view::stage_of(level);
     game::Session session =
         game::session_of(level, game::method_for({run.method_name, run.rate}, level->scene), run.inputs);
     screen::Offscreen offscreen;
