@@ -21,6 +21,8 @@ std::string fragment_source(Program program) {
             return head + shaders::box;
         case Program::arc:
             return head + shaders::arc;
+        case Program::plain_area:
+            return head + shaders::plain_area;
         case Program::smooth_area:
             return area + shaders::smooth_area;
         case Program::smooth_edge:
@@ -99,9 +101,11 @@ GlProgram const& BatchRenderer::program(Program which) {
 }
 
 void BatchRenderer::upload(EdgeAtlas const& edges, Glyphs* glyphs) {
-    if (glyphs && glyphs->is_changed()) {
+    if (glyphs && glyphs->changed_top() < glyphs->changed_bottom()) {
         if (!atlas_) atlas_ = std::make_unique<Texture>(gl_, GL_R8, atlas_side, atlas_side, Sampling::exact);
-        atlas_->upload(0, 0, atlas_side, atlas_side, glyphs->atlas().data());
+        int const top = glyphs->changed_top();
+        std::uint8_t const* const first = glyphs->atlas().data() + static_cast<std::size_t>(top) * atlas_side;
+        atlas_->upload(0, top, atlas_side, glyphs->changed_bottom() - top, first);
         glyphs->mark_seen();
     }
     if (coverages_[coverage_] && edges.is_empty()) return;

@@ -175,6 +175,24 @@ void add_tiles(Coverage& coverage, std::uint8_t const* row, Box const& box, int 
 
 }  // namespace
 
+Box seen_part_of(EdgeTile const& tile) {
+    constexpr int block = 4;  // pixels
+    int left = tile_side, top = tile_side, right = 0, bottom = 0;
+    for (int y = 0; y < tile_side; ++y)
+        for (int x = 0; x < tile_side; x += block) {
+            std::uint32_t pixels = 0;
+            std::memcpy(&pixels, &tile.values[static_cast<std::size_t>(y * tile_side + x)], sizeof pixels);
+            if (pixels == 0) continue;
+            int const row = y / block * block;
+            left = std::min(left, x);
+            right = std::max(right, x + block);
+            top = std::min(top, row);
+            bottom = row + block;
+        }
+    if (left >= right) return {tile.left, tile.top, tile.left, tile.top};
+    return {tile.left + left, tile.top + top, tile.left + right, tile.top + bottom};
+}
+
 Coverage coverage_of(std::vector<std::vector<Vec2>> const& rings, FillRule rule, int frame_width, int frame_height) {
     Box const box = reach(rings, frame_width, frame_height);
     if (box.left >= box.right || box.top >= box.bottom) return {};

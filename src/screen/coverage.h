@@ -23,6 +23,10 @@ struct EdgeTile {
     std::array<std::uint8_t, tile_side * tile_side> values{};
 };
 
+// What of the tile is not empty, pixels of the frame, outwards to blocks of 4 by 4: renderers on the processor shade
+// such blocks whole.
+Box seen_part_of(EdgeTile const& tile);
+
 // Tiles lie at multiples of tile_side and may reach beyond the frame by less than one.
 struct Coverage {
     std::vector<Box> inside;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -22,9 +21,11 @@ constexpr double highest_text = 400;  // pixels: a letter must fit the atlas
 std::vector<unsigned char> font_file(std::string const& name) {
     for (char const* folder :
          {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/", "/usr/share/fonts/TTF/"}) {
-        std::ifstream file(folder + name, std::ios::binary);
-        std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
-        if (!bytes.empty()) return bytes;
+        std::ifstream file(folder + name, std::ios::binary | std::ios::ate);
+        if (!file || file.tellg() <= 0) continue;
+        std::vector<unsigned char> bytes(static_cast<std::size_t>(file.tellg()));
+        file.seekg(0);
+        if (file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) return bytes;
     }
     throw std::runtime_error("the font " + name + " is missing (Debian's package fonts-dejavu-core)");
 }
@@ -126,7 +127,8 @@ std::optional<Glyph> Glyphs::glyph(Font const& font, int letter, int height_quar
         unsigned char* corner = atlas_.data() + glyph.atlas_y * atlas_side + glyph.atlas_x;
         stbtt_MakeCodepointBitmapSubpixel(&font.info, corner, glyph.width, glyph.height, atlas_side, scale, scale,
                                           shift, 0, letter);
-        changed_ = true;
+        changed_top_ = std::min(changed_top_, glyph.atlas_y);
+        changed_bottom_ = std::max(changed_bottom_, glyph.atlas_y + glyph.height);
     }
     kept_.emplace(key, glyph);
     return glyph;

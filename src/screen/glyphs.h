@@ -48,8 +48,13 @@ public:
     void clear();
 
     std::vector<std::uint8_t> const& atlas() const { return atlas_; }
-    bool is_changed() const { return changed_; }  // since the last mark_seen
-    void mark_seen() { changed_ = false; }
+    // The rows that have changed since the last mark_seen, the last one excluded; none where they are equal or less.
+    int changed_top() const { return changed_top_; }
+    int changed_bottom() const { return changed_bottom_; }
+    void mark_seen() {
+        changed_top_ = atlas_side;
+        changed_bottom_ = 0;
+    }
 
 private:
     struct Font;
@@ -61,7 +66,7 @@ private:
     std::vector<std::uint8_t> atlas_;
     std::map<Key, Glyph> kept_;
     int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;  // texels
-    bool changed_ = true;
+    int changed_top_ = atlas_side, changed_bottom_ = 0;
 };
 
 }  // namespace screen

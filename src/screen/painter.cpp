@@ -44,6 +44,8 @@ int pixels_in(std::vector<Box> const& boxes) {
 
 bool is_opaque(view::Paint const& paint) { return paint.top.alpha >= 1 && paint.bottom.alpha >= 1; }
 
+bool is_plain(view::Paint const& paint) { return paint.grain <= 0 && floats(paint.top) == floats(paint.bottom); }
+
 // Pixels that a shape may touch; nothing where that is not worth knowing, or not finite.
 std::optional<Box> bounds_of(view::Shape const& shape) {
     Vec2 low, high;
@@ -172,7 +174,9 @@ void Painter::Body::add(view::Area const& area, Layer const& layer) {
     std::vector<Box> seen;
     for (Box const& inside : layer.covered.inside)
         for (Box const& box : layer.occlusion.seen(inside, layer.number)) seen.push_back(box);
-    Program const inner = grained ? Program::grained_area : Program::smooth_area;
+    Program const inner = grained           ? Program::grained_area
+                          : is_plain(paint) ? Program::plain_area
+                                            : Program::smooth_area;
     Program const edge = grained ? Program::grained_edge : Program::smooth_edge;
     // One program for all of what is small: changing it costs more than looking up that a pixel is inside.
     bool const small = pixels_in(seen) < small_area;
@@ -184,7 +188,8 @@ void Painter::Body::add(view::Area const& area, Layer const& layer) {
     for (EdgeTile const& tile : layer.covered.edges) {
         Box const box{tile.left, tile.top, tile.left + tile_side, tile.top + tile_side};
         if (layer.occlusion.hides(box, layer.number)) continue;
-        quad.corners = upright(box.left, box.top, box.right, box.bottom);
+        Box const part = seen_part_of(tile);
+        quad.corners = upright(part.left, part.top, part.right, part.bottom);
         quad.form[3] = static_cast<float>(kept(tile));
         batch.add(edge, quad);
     }

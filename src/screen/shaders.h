@@ -88,6 +88,8 @@ float edge() {
     return texelFetch(coverage, corner + (ivec2(gl_FragCoord.xy) & (side - 1)), 0).r;
 }
 )";
+// A gradient costs half as much again as a colour.
+inline constexpr char const* plain_area = "void main() { pixel = multiplied(colour); }";
 inline constexpr char const* smooth_area = "void main() { pixel = multiplied(smooth_paint()); }";
 inline constexpr char const* smooth_edge = "void main() { pixel = multiplied(smooth_paint()) * edge(); }";
 inline constexpr char const* grained_area = "void main() { pixel = multiplied(grained_paint()); }";

@@ -9,8 +9,8 @@
 
 namespace screen {
 
-enum class Program { disc, box, arc, smooth_area, smooth_edge, grained_area, grained_edge, glyph, shell };
-constexpr int program_count = 9;
+enum class Program { disc, box, arc, plain_area, smooth_area, smooth_edge, grained_area, grained_edge, glyph, shell };
+constexpr int program_count = 10;
 
 // Whether what lies below shows through; where it does not, painting costs less.
 enum class Blending { over, opaque };

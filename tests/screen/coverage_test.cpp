@@ -103,3 +103,18 @@ TEST_CASE("rings with fewer than three points, or none, cover nothing") {
     CHECK(total({{{3, 3}}}, 9, 9) == 0);
     CHECK(total({{{3, 3}, {7, 8}}}, 9, 9) == 0);
 }
+
+TEST_CASE("the part of an edge tile that is painted is the least that holds its blocks of four with anything in them") {
+    screen::EdgeTile tile{32, 48, {}};
+    auto const is = [&](int left, int top, int right, int bottom) {
+        screen::Box const part = screen::seen_part_of(tile);
+        return part.left == left && part.top == top && part.right == right && part.bottom == bottom;
+    };
+    CHECK(is(32, 48, 32, 48));
+    tile.values[16 * 5 + 9] = 1;  // 9 to the right, 5 down
+    CHECK(is(40, 52, 44, 56));
+    tile.values[16 * 8 + 3] = 255;
+    CHECK(is(32, 52, 44, 60));
+    tile.values.fill(7);
+    CHECK(is(32, 48, 48, 64));
+}

@@ -186,3 +186,16 @@ TEST_CASE("the letters of German are drawn, each as itself") {
         CHECK(line->width != missing->width);
     }
 }
+
+TEST_CASE("letters change the rows of the atlas that they lie in, and those drawn before none") {
+    screen::Glyphs glyphs;
+    CHECK(glyphs.changed_top() >= glyphs.changed_bottom());
+    auto const first = glyphs.line("a", 40, view::Weight::regular, 0);
+    REQUIRE(first);
+    screen::Glyph const& letter = first->glyphs[0].glyph;
+    CHECK(glyphs.changed_top() == letter.atlas_y);
+    CHECK(glyphs.changed_bottom() == letter.atlas_y + letter.height);
+    glyphs.mark_seen();
+    glyphs.line("a", 40, view::Weight::regular, 0);
+    CHECK(glyphs.changed_top() >= glyphs.changed_bottom());
+}
