@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "screen/gl_table.h"
+#include "screen/graphics_card.h"
 #include "screen/offscreen.h"
 #include "screen/window_parts.h"
 
@@ -52,6 +53,7 @@ struct Window::Body {
 // Without a graphics card OpenGL would be Mesa's software too, at the price of one more copy: then OSMesa is used.
 bool Window::Body::start_gl(WindowSettings const& settings) {
     bool const wanted = settings.renderer == Renderer::gl;
+    if (!wanted && !may_have_graphics_card()) return false;
     try {
         ask_for_gl();
         window = open_window(settings, SDL_WINDOW_OPENGL);
