@@ -130,11 +130,13 @@ std::vector<bool> rooms_among(std::vector<Ring> const& rings, std::vector<Vec2> 
     return room;
 }
 
-Body solid_body(Ring const& ring) {
-    Body body{ring, Closing::closed, left_of(ring, Closing::closed), std::vector<Ring>(1, ring), 1};
-    double const area = signed_area(ring);
+// The earth is on the inner side; whose it is the caller knows.
+Body solid_edge(Ring ring) {
+    double const area = signed_area(ring), perimeter = perimeter_of(ring);
+    Body body{std::move(ring), Closing::closed, {}, {}, 1};
+    body.into = left_of(body.edge, Closing::closed);
     if (area < 0) reverse_side(body.into);
-    body.girth = 2 * std::abs(area) / std::max(perimeter_of(ring), 1e-9);
+    body.girth = 2 * std::abs(area) / std::max(perimeter, 1e-9);
     return body;
 }
 
@@ -215,24 +217,24 @@ private:
     std::vector<int> surrounds_;  // by ring: around which other it is known to be, of those placed among all
 };
 
-// Solids and the holes in them, which bound the earth around them.
-void add_solids(std::vector<Body>& bodies, std::vector<Ring> const& rings, std::vector<bool> const& room) {
+// Solids and the holes in them, which bound the earth around them. Of the rings those of rooms are left.
+void add_solids(std::vector<Body>& bodies, std::vector<Ring>& rings, std::vector<bool> const& room) {
     std::vector<std::size_t> body_of(rings.size());
     Nesting const nesting(rings, room);
     bodies.reserve(bodies.size() + rings.size());
     for (std::size_t i = 0; i < rings.size(); ++i) {
         if (room[i] || nesting.is_hole(i)) continue;
         body_of[i] = bodies.size();
-        bodies.push_back(solid_body(rings[i]));
+        bodies.push_back(solid_edge(std::move(rings[i])));
+        bodies.back().rings.push_back(bodies.back().edge);
     }
     for (std::size_t i = 0; i < rings.size(); ++i) {
         if (room[i] || !nesting.is_hole(i)) continue;
         auto const solid = nesting.solid_around(i);
         if (!solid) continue;
         bodies[body_of[*solid]].rings.push_back(rings[i]);
-        Body edge = solid_body(rings[i]);
+        Body edge = solid_edge(std::move(rings[i]));
         reverse_side(edge.into);
-        edge.rings.clear();
         edge.girth = 1;
         bodies.push_back(std::move(edge));
     }
