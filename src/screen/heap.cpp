@@ -1,5 +1,6 @@
 #include "screen/heap.h"
 
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
@@ -36,8 +37,12 @@ char* allocated(std::size_t bytes) {
     return static_cast<char*>(block);
 }
 
+// Set where glibc's own allocator is not replaced by another, such as the address sanitizer's, which takes no options.
+std::atomic<bool> is_glibcs = false;
+
 void grow_main_heap() {
-    mallopt(M_TRIM_THRESHOLD, kept);
+    if (mallopt(M_TRIM_THRESHOLD, kept) == 0) return;
+    is_glibcs = true;
     mallopt(M_MMAP_THRESHOLD, largest_in_heap);
     mallopt(M_TOP_PAD, first_growth);
     char* const before = static_cast<char*>(sbrk(0));
@@ -54,6 +59,7 @@ void prepare_heap() {
 }
 
 void prepare_heap_of_thread() {
+    if (!is_glibcs) return;
     char* const blocks[] = {allocated(of_thread), allocated(of_thread)};
     for (char* const block : blocks) {
         if (block != nullptr) advise_huge_pages(block, block + of_thread);
