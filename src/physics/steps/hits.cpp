@@ -14,12 +14,11 @@ using geometry::length;
 
 namespace {
 
-void forget_events(Trail<Event>& events, int ball, double from) {
-    while (!events.empty() && events.back().ball == ball && events.back().kind != EventKind::hit &&
-           events.back().time > from)
-        events.pop_back();
+void forget_events(StepContext& context, int ball, double from) {
+    Trail<Event>& events = context.history.events;
     auto const late = [&](Event const& e) { return e.ball == ball && e.time > from && e.kind != EventKind::hit; };
-    events.cut(std::remove_if(events.begin(), events.end(), late));
+    auto const first = events.begin() + static_cast<std::ptrdiff_t>(context.told);
+    events.cut(std::remove_if(first, events.end(), late));
 }
 
 // How hard two touching balls are pressed together by what acts on them, as far as it can be told: two in free flight
@@ -153,7 +152,7 @@ void go_back(StepContext& context, Substep const& substep, int ball, double time
         context.body_states[ball].state.position = on_the_way(context, substep, ball, time);
         return;
     }
-    forget_events(context.history.events, ball, substep.since + context.departures[ball].time);
+    forget_events(context, ball, substep.since + context.departures[ball].time);
     return_to_departure(context, ball);
     follow(context, ball, substep.since + time);
 }

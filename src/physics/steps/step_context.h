@@ -74,6 +74,7 @@ struct StepContext {
     std::vector<int> pairs_from;  // by ball: where its own begin
     std::vector<double> soonest;  // by ball, s: scratch of the search for the next hits, `never` between
     ContactIsland island;
+    std::size_t told = 0;      // events before the present substep: none of these is taken back
     int pulled = -1;           // the ball on the drag spring
     bool regroup = true;       // who leans, or who is awake, is not as it was when the groups were made
     bool relist = true;        // likewise of those lists that tell which pairs to look at

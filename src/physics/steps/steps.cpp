@@ -62,6 +62,7 @@ void see_where_all_are(StepContext& context, double now) {
 }
 
 void move_all(StepContext& context, Substep const& substep) {
+    context.told = context.history.events.size();
     if (group(context)) release_parted(context, substep.since);
     remember_departures(context);
     for (int const i : context.free) follow(context, i, substep.end());
