@@ -6,6 +6,7 @@
 #include <span>
 
 #include "geometry/box_tree.h"
+#include "view/camera.h"
 #include "view/outline_points.h"
 
 namespace view {
