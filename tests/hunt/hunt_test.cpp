@@ -68,6 +68,7 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 50236},          // the mouth of a slot grazed
         {"narrow", 50239},          // let go in a slot that friction holds
         {"narrow", 50161},          // 28 bounces a millisecond, for ever
+        {"narrow", 80058},          // at rest in the air at the end of an arc, where it jammed
         {"narrow+player", 70987},   // between two walls as far apart as the ball is wide, 6,000 times to and fro
     };
     for (Found const& found : all) hold(physics::Exact{}, found.kind, found.seed);

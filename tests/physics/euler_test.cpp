@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/method.h"
 #include "physics/world/overlap.h"
 
 using namespace physics;

@@ -89,8 +89,15 @@ bool PlannedBalls::jams(int i) {
 
 void PlannedBalls::creep(int i) {
     BallPlan& plan = world_.plans[i];
-    State const state = at_span(world_.legs[i], plan.end.time);
-    take(i, jams(i) ? jammed(state, world_.legs[i].contact, world_.time) : creeping(context(i), state, world_.time));
+    State state = at_span(world_.legs[i], plan.end.time);
+    bool stands = false;
+    if (jams(i)) {
+        stands = world_.time - plan.jammed_at <= frame_span;
+        plan.jammed_at = world_.time;
+        state.velocity = Vec2::Zero();
+        state.spin = 0;
+    }
+    take(i, stands ? jammed(state, world_.legs[i].contact, world_.time) : creeping(context(i), state, world_.time));
     if (plan.flip_count <= flip_events) return;
     plan.flip_since = std::min(world_.legs[i].until, world_.time + watch_span);
     plan.flip_count = flip_events - flips_again;

@@ -25,7 +25,9 @@ inline constexpr int stall_events = 40;
 inline constexpr double flip_span = 1e-4;      // s
 inline constexpr int flip_events = 100;
 inline constexpr int flips_again = 5;
-inline constexpr int creep_events = 50;  // more within watch_span, and the ball stands until the forces change
+// More creeps than these within watch_span, and the ball is stopped, to set out from rest; if that jams within frame_span
+// as well it stands until the forces change.
+inline constexpr int creep_events = 50;
 
 // One call's view of the balls of a world that are on their plans. Legs and events go to the history at world.time.
 class PlannedBalls {

@@ -87,6 +87,7 @@ struct BallPlan {
     int flip_count = 0;
     double creep_since = 0;  // s, the same of creeping
     int creep_count = 0;
+    double jammed_at = -never;  // s, when creeping last took it nowhere
 };
 
 }  // namespace physics
