@@ -82,4 +82,16 @@ struct Peer {
 std::vector<Peer> const& known_peers();
 bool make_known(Peer peer);
 
+// By its classes, an Engine and a Pile.
+template <typename PeerEngine, typename PeerPile>
+bool make_known(std::string const& name, std::vector<Peer::PileSetting> const& pile_settings) {
+    auto const start = [](Contestant const& contestant, Task const& task) -> std::unique_ptr<Engine> {
+        return std::make_unique<PeerEngine>(contestant, task);
+    };
+    auto const pile = [](physics::Scene const& scene, int iterations) -> std::unique_ptr<Pile> {
+        return std::make_unique<PeerPile>(scene, iterations);
+    };
+    return make_known({name, start, pile, pile_settings});
+}
+
 }  // namespace bench

@@ -144,15 +144,7 @@ private:
     int iterations_;
 };
 
-std::unique_ptr<Engine> start(Contestant const& contestant, Task const& task) {
-    return std::make_unique<Box2dEngine>(contestant, task);
-}
-
-std::unique_ptr<Pile> pile(physics::Scene const& scene, int iterations) {
-    return std::make_unique<Box2dPile>(scene, iterations);
-}
-
-bool const is_known = make_known({"Box2D", start, pile, {{"8 iterations", 8}, {"32 iterations", 32}}});
+bool const is_known = make_known<Box2dEngine, Box2dPile>("Box2D", {{"8 iterations", 8}, {"32 iterations", 32}});
 
 }  // namespace
 

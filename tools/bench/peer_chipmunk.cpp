@@ -160,15 +160,8 @@ private:
     ChipmunkWorld chipmunk_;
 };
 
-std::unique_ptr<Engine> start(Contestant const& contestant, Task const& task) {
-    return std::make_unique<ChipmunkEngine>(contestant, task);
-}
-
-std::unique_ptr<Pile> pile(physics::Scene const& scene, int iterations) {
-    return std::make_unique<ChipmunkPile>(scene, iterations);
-}
-
-bool const is_known = make_known({"Chipmunk", start, pile, {{"10 iterations", 10}, {"40 iterations", 40}}});
+bool const is_known =
+    make_known<ChipmunkEngine, ChipmunkPile>("Chipmunk", {{"10 iterations", 10}, {"40 iterations", 40}});
 
 }  // namespace
 
