@@ -10,6 +10,7 @@ import mmap
 import os
 import shutil
 import signal
+import socket
 import struct
 import subprocess
 import tempfile
@@ -51,9 +52,33 @@ class Display:
         with os.fdopen(read) as answer:
             self.name = ":" + answer.readline().strip()
         self.memory = Path(memory, "Xvfb_screen0")
+        self.client = socket.socket(socket.AF_UNIX)
+        test.addCleanup(self.client.close)
+        self.client.connect(f"/tmp/.X11-unix/X{self.name[1:]}")
+        self.client.sendall(struct.pack("=2B5H", ord("l"), 0, 11, 0, 0, 0, 0))  # version 11, without a name
+        welcome, _, _, _, words = struct.unpack("=2B3H", self.receive(8))
+        test.assertEqual(welcome, 1)
+        self.receive(4 * words)
+
+    def receive(self, size):
+        return self.client.recv(size, socket.MSG_WAITALL)
+
+    def synchronise(self):
+        """Whatever request of another client the server was in the middle of is done."""
+        self.client.sendall(struct.pack("=2BH", 43, 0, 1))  # GetInputFocus, as XSync does
+        self.receive(32)
 
     def pixels(self, left, top, width, height):
-        """Of a part of the screen, row by row, as numbers 0xrrggbb: read where the server paints (xwd, 32 bits a pixel)."""
+        """Of a part of the screen, row by row, as numbers 0xrrggbb. Never half a frame: the same before and after the server
+        answers."""
+        before, now = None, self.read(left, top, width, height)
+        while now != before:
+            self.synchronise()
+            before, now = now, self.read(left, top, width, height)
+        return now
+
+    def read(self, left, top, width, height):
+        """Where the server paints, whatever it is in the middle of (xwd, 32 bits a pixel)."""
         with open(self.memory, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as dump:
             header = struct.unpack_from(">25I", dump)
             begin, stride = header[0] + 12 * header[19], header[12]
@@ -521,16 +546,17 @@ class Window(ProgramTest):
         for part in (self.folder / "data").rglob("*.part.mp4"):
             self.assertIn(part.name.encode(), stderr)
 
-    def open_menu(self):
+    def open_card(self, key="Escape"):
+        """The menu, or what else stops the game, painted: until then the picture moves by itself."""
         before = self.screenshot()
-        self.press_key("Escape")
-        until(lambda: self.screenshot() != before, "the menu", self.game)
+        self.press_key(key)
+        until(lambda: self.screenshot() != before, "the card", self.game)
+        self.wait_until_still("the card to be painted")
 
     def test_the_menu_stops_the_game_and_its_entries_do_what_they_say(self):
         self.open("software")
         self.drag_the_ball()
-        self.open_menu()
-        self.wait_until_still("the menu to be painted")
+        self.open_card()
         still = self.screenshot()
         self.pointer("sleep", 0.3)
         self.assertEqual(self.screenshot(), still)
@@ -539,19 +565,19 @@ class Window(ProgramTest):
         run = self.save()
         self.assertGreater(json.loads(run.read_text())["duration"], 0)
         run.unlink()
-        self.open_menu()
+        self.open_card()
         self.press_key("Down")
         self.press_key("Return")
         run = self.save()
         self.assertEqual(json.loads(run.read_text())["duration"], 0)  # from the beginning
-        self.open_menu()
+        self.open_card()
         self.press_key("Up")
         self.press_key("Return")
         self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
 
     def test_the_pointer_chooses_in_the_menu(self):
         self.open("software")
-        self.open_menu()
+        self.open_card()
         row = lambda i: HEIGHT / 2 + (i - 2.5) * 68 * HEIGHT / 720 + 25 * HEIGHT / 720
         kept = self.folder / "data/smb2d/preferences.json"
         self.pointer("mousemove", "--window", self.window, WIDTH * 3 // 8, round(row(3)), "click", 1)
@@ -567,7 +593,7 @@ class Window(ProgramTest):
         until(lambda: self.preferences().get(name) == value, f"{name} to be {value}", self.game)
 
     def press_keys(self, *keys):
-        """One after the other, each shown before the next is pressed."""
+        """One after the other where nothing moves by itself, each shown before the next is pressed."""
         for key in keys:
             before = self.screenshot()
             self.press_key(key)
@@ -575,7 +601,7 @@ class Window(ProgramTest):
 
     def test_the_page_of_settings_is_worked_by_keys(self):
         self.open("software")
-        self.open_menu()
+        self.open_card()
         self.press_keys("Up", "Up", "Return", "Down")  # settings; its second row
         self.press_key("Left")
         self.wait_for_preference("volume", 0.7)
@@ -608,7 +634,7 @@ class Window(ProgramTest):
 
     def test_the_page_of_settings_is_worked_by_the_pointer(self):
         self.open("software")
-        self.press_keys("F2")
+        self.open_card("F2")
         self.click_row(self.SETTINGS, 8, 1, share=(572 - 28 - 90) / 572)  # the middle of the bar
         self.wait_for_preference("volume", 0.5)
         for row, name, value in [(2, "muted", True), (3, "turning", False), (4, "reduced_motion", True),
@@ -626,7 +652,8 @@ class Window(ProgramTest):
 
     def test_a_key_that_is_chosen_holds_after_a_restart_and_esc_leaves_it_as_it_was(self):
         self.open("software")
-        self.press_keys("F2", "Return", "Right", "Down", "Down", "Down", "Down")  # keys: save, in the second column
+        self.open_card("F2")
+        self.press_keys("Return", "Right", "Down", "Down", "Down", "Down")  # keys: save, in the second column
         self.press_keys("Return", "Escape", "Return")
         self.assertEqual(self.preferences(), {})
         self.press_key("o")
@@ -662,10 +689,7 @@ class Window(ProgramTest):
                                      ("by choice", "C", "german"), ("against system", "de_DE.UTF-8", "english")]:
             self.file("data/smb2d/preferences.json", json.dumps({"language": chosen} if chosen else {}))
             self.play(level, LC_ALL=locale)
-            before = self.screenshot()
-            self.press_keys("F2")
-            until(lambda: self.screenshot() != before, "the page", self.game)
-            self.wait_until_still("the page to stand still")
+            self.open_card("F2")
             menus[name] = self.screenshot()
             self.close()
         middle = lambda name: [menus[name][y * WIDTH + x] for y in range(HEIGHT // 7, HEIGHT * 8 // 9)
