@@ -37,21 +37,35 @@ if(SMB2D_STRICT)
     target_compile_options(house INTERFACE -Werror)
 endif()
 if(SMB2D_SANITIZE)
-    # Of what is known of lines for messages the least, and little optimised: more costs more to compile than it saves.
+    # Of what is known of lines for messages the least, and little optimised, what is BRIEF not at all: more costs more to
+    # compile than it saves.
     # Whether a reference that is bound is null or leads beyond an object shows with the address sanitizer once it is
     # used; asked at every binding of Eigen's it takes a third of the time to compile.
-    target_compile_options(house INTERFACE -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
-        -fno-sanitize=null,alignment,object-size,pointer-overflow -fno-omit-frame-pointer
+    target_compile_options(house INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:BRIEF>>,-O0,-O1>
+        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-sanitize=null,alignment,object-size,pointer-overflow -fno-omit-frame-pointer
         $<IF:$<CXX_COMPILER_ID:Clang>,-gline-tables-only,-g1>)
     target_link_options(house INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What nearly all files include, compiled once for all floors.
+# What takes longer to optimise, sanitized, than it runs.
+define_property(TARGET PROPERTY BRIEF)
+
+# What nearly all files include, compiled once for all that is optimised alike.
 set(HOUSE_HEADERS <algorithm> <array> <cmath> <cstdint> <deque> <functional> <limits> <map> <memory> <optional> <span>
     <stdexcept> <string> <utility> <variant> <vector> <Eigen/Core>)
 
 function(share_headers target)
-    target_precompile_headers(${target} REUSE_FROM geometry)
+    get_target_property(brief ${target} BRIEF)
+    if(SMB2D_SANITIZE AND brief)
+        set(owner game)
+    else()
+        set(owner geometry)
+    endif()
+    if(target STREQUAL owner)
+        target_precompile_headers(${target} PRIVATE ${HOUSE_HEADERS})
+    else()
+        target_precompile_headers(${target} REUSE_FROM ${owner})
+    endif()
 endfunction()
 
 # A floor of the house: the folder src/NAME as a static library that may include the floors named after it.
@@ -59,9 +73,8 @@ function(add_floor name)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${HOUSE}/src/${name}/*.cpp)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC house ${ARGN})
-    if(name STREQUAL "geometry")
-        target_precompile_headers(geometry PRIVATE ${HOUSE_HEADERS})
-    else()
-        share_headers(${name})
+    if(name MATCHES "^(game|screen)$")
+        set_target_properties(${name} PROPERTIES BRIEF ON)
     endif()
+    share_headers(${name})
 endfunction()
