@@ -46,9 +46,11 @@ std::optional<double> hop_on(MotionContext const& context, Struck const& struck,
     if (known && struck.blows.empty() && normal_speed <= sway_speed(context, struck.state)) return 0;
     SurfaceState const on_track = surface_state_on(context, struck, i);
     double const pressing = normal_force(context, on_track);
-    double const lowest = sums_exactly(context, on_track, normal_speed) ? lowest_hop_of_sums : lowest_hop;
-    if (!(normal_speed * normal_speed < 2 * pressing * lowest * context.ball.radius)) return std::nullopt;
-    return normal_speed;
+    bool const sums = sums_exactly(context, on_track, normal_speed);
+    double const lowest = sums ? lowest_hop_of_sums : lowest_hop;
+    if (normal_speed * normal_speed < 2 * pressing * lowest * context.ball.radius) return normal_speed;
+    if (context.many && 2 * normal_speed < pressing * longest_of_many) return sums ? normal_speed : 0;
+    return std::nullopt;
 }
 
 // Whether a moving ball is carried off the support by its way alone, as past a point.
@@ -110,7 +112,7 @@ Transition kept_transition(MotionContext const& context, Struck& struck, std::ve
     if (keeps_to_track(context, on_track, transition.plan)) return transition;
     // Where it would run off or into something before the last bounce, it bounces on, or, if that is not seen, rides.
     bool const seen = hop * hop >= 2 * normal_force(context, on_track) * lowest_hop * context.ball.radius;
-    if (seen && !context.crowded) {
+    if (seen && !context.crowded && !context.many) {
         transition.plan = plan_flight(context, struck.state, time);
         return transition;
     }

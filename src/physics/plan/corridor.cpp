@@ -24,8 +24,12 @@ constexpr double corridor_rounding = 1e-12;
 constexpr double straight = 1e-15;
 // A ball that comes down nearer than this to the end of a piece may touch something else as well. Radii.
 constexpr double end_margin = 1.0 / 16;
-// How far a hop's corridor goes beyond the hop, and how far ahead that of a rolling ball is looked for. Radii.
-constexpr double hop_room = 1.0 / 4;
+// How far a hop's corridor goes beyond the hop, less where something is near, and how far ahead that of a rolling ball is looked
+// for. Radii.
+struct HopRoom {
+    double beside, above;
+};
+constexpr HopRoom hop_rooms[] = {{0x1p-2, 0x1p-2}, {0x1p-2, 0x1p-14}, {0x1p-8, 0x1p-14}};
 constexpr double roll_rooms[] = {32, 8, 2};
 
 // Where a piece lies, seen from a corridor: along it, and above the line of the ground.
@@ -58,6 +62,9 @@ Extent extent_of(geometry::Curve const& curve, Corridor const& corridor, double 
 bool is_free(Terrain const& terrain, Corridor const& corridor, double radius) {
     Box room;
     Vec2 const normal = geometry::turned_left(corridor.track.along);
+    Vec2 const middle = corridor.track.origin + (corridor.low + corridor.high) / 2 * corridor.track.along +
+                        corridor.top / 2 * normal;
+    double const around = std::hypot(corridor.high - corridor.low, corridor.top) / 2;
     for (double const s : {corridor.low, corridor.high})
         for (double const height : {0.0, corridor.top}) {
             Vec2 const corner = corridor.track.origin + s * corridor.track.along + height * normal;
@@ -66,12 +73,15 @@ bool is_free(Terrain const& terrain, Corridor const& corridor, double radius) {
     bool free = true;
     terrain.tree.each_overlapping(grown(room, radius + touch_reach), [&](int piece) {
         if (!free || piece == corridor.contact.feature) return;
-        Extent const extent = extent_of(terrain.pieces[piece].curve, corridor, radius);
+        geometry::Curve const& curve = terrain.pieces[piece].curve;
+        if (nearest_point(curve, middle).distance > radius + around + 3 * touch_reach) return;
+        Extent const extent = extent_of(curve, corridor, radius);
         bool const is_ground = extent.low >= -flat;
         bool const is_below = extent.high <= -3 * touch_reach;
+        bool const is_above = extent.low >= 2 * radius + corridor.top + 3 * touch_reach;
         bool const is_beside =
             extent.right < corridor.low - end_margin * radius || extent.left > corridor.high + end_margin * radius;
-        free = extent.high <= flat && (is_ground || is_below || is_beside || corridor.top == 0);
+        free = is_above || (extent.high <= flat && (is_ground || is_below || is_beside || corridor.top == 0));
     });
     return free;
 }
@@ -114,11 +124,15 @@ Corridor corridor_of_hop(Terrain const& terrain, Ball const& ball, Contact conta
     corridor.top = never;
     Span const span = span_of(corridor, flight.from, flight.acceleration, duration);
     if (!holds(corridor, span)) return {};
-    double const room = (span.high - span.low) + hop_room * ball.radius;
-    corridor.low = std::max(corridor.low, span.low - room);
-    corridor.high = std::min(corridor.high, span.high + room);
-    corridor.top = span.top + hop_room * ball.radius;
-    return is_free(terrain, corridor, ball.radius) ? corridor : Corridor{};
+    double const low = corridor.low, high = corridor.high;
+    for (HopRoom const& room : hop_rooms) {
+        double const beside = (span.high - span.low) + room.beside * ball.radius;
+        corridor.low = std::max(low, span.low - beside);
+        corridor.high = std::min(high, span.high + beside);
+        corridor.top = span.top + room.above * ball.radius;
+        if (is_free(terrain, corridor, ball.radius)) return corridor;
+    }
+    return {};
 }
 
 std::optional<Hop> next_hop(Corridor const& corridor, Terrain const& terrain, Ball const& ball, Ballistic const& flight,

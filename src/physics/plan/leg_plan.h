@@ -17,8 +17,9 @@ struct MotionContext {
     Terrain const& terrain;
     Ball const& ball;
     Field field;
-    bool crowded =
-        false;  // bounces have crowded just before and end now: restitution counts for nothing (planned_balls.h)
+    // Of bounces just before (planned_balls.h): they have crowded and end now, restitution counts for nothing; or there were
+    // many, and those to come, if as short, are summed.
+    bool crowded = false, many = false;
 };
 
 // A ball on its track.
@@ -37,6 +38,8 @@ State state_of(MotionContext const& context, SurfaceState const& on_track);
 // bounces to come is exact, one lower than the second.
 inline constexpr double lowest_hop = 1e-13;
 inline constexpr double lowest_hop_of_sums = 1e-12;
+// Where bounces are many hops shorter than this are summed whatever their height, s.
+inline constexpr double longest_of_many = 1.0 / 60'000;
 // The speed with which a ball in this field does not get farther than the lowest hop, m/s.
 double sway_speed(MotionContext const& context, State const& state);
 

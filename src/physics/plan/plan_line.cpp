@@ -132,6 +132,7 @@ namespace {
 // The bounces to come, seen as a whole: how long they take, and whether they end the slip.
 struct Bounces {
     double span = 0;     // s
+    double squares = 0;  // s, the sum of the squares of their times, by the span
     double grip = 0;     // friction against the pressing force, in the mean
     bool slide = false;  // all of them slip
 };
@@ -141,6 +142,7 @@ Bounces bounces_after(MotionContext const& context, SurfaceState const& on_track
     Bounces bounces;
     bounces.span = e < 1 ? 2 * hop / (pressing * (1 - e)) : 0;
     if (context.field.pulled && bounces.span > longest_sum) bounces.span = 0;
+    bounces.squares = bounces.span > 0 ? 2 * hop / (pressing * (1 + e)) : 0;
     bounces.grip = material.friction * (1 + e) / 2;
     // The slip that friction could take away in all the bounces that are left, against the slip there is.
     double const slip_end = std::abs(on_track.slip()) - bounces.span * ((1 + 1 / k) * bounces.grip * pressing);
@@ -162,13 +164,22 @@ LegPlan plan_settling(MotionContext const& context, SurfaceState const& on_track
     double const k = context.ball.inertia;
     double const pressing = normal_force(context, on_track);
     double const a = tangent_acceleration(context, on_track);
-    auto const [span, grip, slides] = bounces_after(context, on_track, hop);
+    auto const [span, squares, grip, slides] = bounces_after(context, on_track, hop);
     double const sign = on_track.slip() > 0 ? 1 : -1;
     SurfaceState end = on_track;
-    double const acceleration = slides ? a - grip * pressing * sign : a / (1 + k);
+    double acceleration = slides ? a - grip * pressing * sign : a / (1 + k);
     if (!slides)
         end.speed = end.rim = on_track.slip() == 0 ? on_track.speed : (on_track.speed + k * on_track.rim) / (1 + k);
-    double const rim_rate = slides ? grip * pressing * sign / k : acceleration;
+    double rim_rate = slides ? grip * pressing * sign / k : acceleration;
+    // In flight nothing but the pull acts: the way is ahead of, and the turn behind, what the means make of them. The leg ends
+    // with the place, the angle and the speeds of the sum.
+    if (span > 0) {
+        double const ahead = (a - acceleration) * squares, behind = rim_rate * squares;
+        end.speed += ahead;
+        acceleration -= ahead / span;
+        end.rim -= behind;
+        rim_rate += behind / span;
+    }
     LegPlan plan;
     plan.leg.since = since;
     plan.leg.until = since + span;

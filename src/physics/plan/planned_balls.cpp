@@ -12,7 +12,7 @@ MotionContext PlannedBalls::context(int i) const {
     bool const has_a_limit = !field.pulled && !plan.watch_mixed && !plan.watch_elastic;
     int const most = plan.watch_mixed ? crowd_events : crowd_events / 2;
     bool const crowded = alone_ && (plan.watch_count > most || plan.frame_count > frame_events) && !has_a_limit;
-    return {scene_.terrain, scene_.balls[i], field, crowded};
+    return {scene_.terrain, scene_.balls[i], field, crowded, alone_ && plan.frame_count > many_events};
 }
 
 void PlannedBalls::tell(EventKind kind, int i, State const& state, Contact contact) {
@@ -147,6 +147,7 @@ bool PlannedBalls::hop(int i) {
     BallPlan const& plan = world_.plans[i];
     Contact const floor = plan.corridor.contact;
     if (plan.end.cause != LegEndCause::meets || floor.feature < 0) return false;
+    if (plan.frame_count > many_events) return false;
     if (plan.watch_elastic && (plan.watch_count > crowd_events / 2 || plan.frame_count > frame_events)) return false;
     auto const next = next_hop(plan.corridor, scene_.terrain, scene_.balls[i],
                                std::get<Ballistic>(world_.legs[i].motion), plan.end.time);

@@ -13,15 +13,34 @@ namespace {
 // m: what is nearer to the limit than this all along is on it. Ends grazing in a sliver that bounds cannot tell apart.
 constexpr double length_rounding = 1e-12;
 
-// Each watch tells what one region notices: nothing on any of a part of a leg, everything all along one, or the step
-// from one place to the next.
+// Legs in a row in a window of time, and a disc that holds them: a part of the ball's way like a part of a leg, if rougher.
+struct Stretch {
+    std::size_t first = 0, last = 0;  // legs [first, last)
+    Vec2 centre = Vec2::Zero();
+    double radius = never;  // m
+
+    Range along(Vec2 const& origin, Vec2 const& direction) const {
+        double const middle = geometry::dot(centre - origin, direction);
+        return {middle - radius, middle + radius};
+    }
+    Range distance_from(Vec2 const& point) const {
+        double const middle = geometry::length(centre - point);
+        return {middle - radius, middle + radius};
+    }
+};
+
+// Each watch tells what one region notices: nothing on any of a part of a ball's way, everything all along a part of a leg,
+// or the step from one place to the next.
 
 struct Entry {
     DiscRegion const& disc;
     double reach;  // m, from the disc's centre
 
     Entry(DiscRegion const& of, double rim) : disc(of), reach(of.radius + rim + sensor_accuracy) {}
-    bool misses(LegPart const& part) const { return part.distance_from(disc.centre).low > reach; }
+    template <typename Part>
+    bool misses(Part const& part) const {
+        return part.distance_from(disc.centre).low > reach;
+    }
     bool holds(LegPart const& part) const { return part.distance_from(disc.centre).high <= reach + length_rounding; }
     bool notices(Vec2 const&, Vec2 const& now) const { return geometry::length(now - disc.centre) <= reach; }
 };
@@ -34,7 +53,10 @@ struct Edge {
         Vec2 const way = polygon.corners[(i + 1) % polygon.corners.size()] - from;
         outward = geometry::turned_right(way) / geometry::length(way);
     }
-    Range heights(LegPart const& part) const { return part.along(from, outward); }
+    template <typename Part>
+    Range heights(Part const& part) const {
+        return part.along(from, outward);
+    }
     double height(Vec2 const& place) const { return geometry::dot(place - from, outward); }
 };
 
@@ -47,7 +69,8 @@ struct EntryToPolygon {
             if (test(Edge(polygon, i))) return true;
         return false;
     }
-    bool misses(LegPart const& part) const {
+    template <typename Part>
+    bool misses(Part const& part) const {
         return any_edge([&](Edge const& edge) { return edge.heights(part).low > sensor_accuracy; });
     }
     bool holds(LegPart const& part) const {
@@ -63,7 +86,8 @@ struct EntryToPolygon {
 struct ExitFromPolygon {
     EntryToPolygon inside;
 
-    bool misses(LegPart const& part) const {
+    template <typename Part>
+    bool misses(Part const& part) const {
         return !inside.any_edge([&](Edge const& edge) { return !(edge.heights(part).high < -sensor_accuracy); });
     }
     bool holds(LegPart const& part) const {
@@ -84,7 +108,8 @@ struct Crossing {
         along = (line.to - line.from) / span;
         normal = geometry::turned_left(along);
     }
-    bool misses(LegPart const& part) const {
+    template <typename Part>
+    bool misses(Part const& part) const {
         Range const heights = part.along(from, normal);
         if (heights.low > sensor_accuracy || heights.high < -sensor_accuracy) return true;
         Range const ways = part.along(from, along);
@@ -114,6 +139,12 @@ Watch watch_of(Sensor const& sensor, double radius) {
     return sensor.outside ? Watch(ExitFromPolygon{entry}) : Watch(entry);
 }
 
+constexpr double finest = 0x1p-40;       // s, a picosecond: at 1 m/s a tenth of sensor_accuracy
+constexpr double time_rounding = 1e-15;  // of the time
+
+// s: rounding must not leave a cell at the edge of a window that ends at `to` unseen.
+double search_slack(double to) { return finest + time_rounding * std::abs(to); }
+
 // A search of one leg by inclusion. Its moments are a grid of the leg's own, whatever window is looked at, so that they
 // do not depend on how often one asks. Blocks of the grid are halved until a bound shows that nothing is noticed in
 // them, down to the grid's finest cells, where the places at both ends decide.
@@ -121,8 +152,7 @@ class Search {
 public:
     // Events in (from, to]; `end` is when the leg ends, `never` where that is still to come. All in s.
     Search(Leg const& leg, double from, double to, double end) : leg_(leg), from_(from), to_(to), end_(end) {
-        // Rounding must not leave a cell at the window's edge unseen.
-        double const slack = finest + time_rounding * std::abs(to);
+        double const slack = search_slack(to);
         low_ = std::max(0.0, from - leg.since - slack);
         high_ = std::min(to - leg.since + slack, end - leg.since);
     }
@@ -161,9 +191,7 @@ private:
     std::optional<double> due(double time) const { return time <= to_ ? std::optional(time) : std::nullopt; }
     double time_at(double span) const { return std::min(leg_.since + span, end_); }
 
-    static constexpr double finest = 0x1p-40;       // s, a picosecond: at 1 m/s a tenth of sensor_accuracy
-    static constexpr double longest_held = 1;       // s
-    static constexpr double time_rounding = 1e-15;  // of the time
+    static constexpr double longest_held = 1;  // s
 
     Leg const& leg_;
     double from_, to_, end_;
@@ -182,24 +210,52 @@ bool noticed_at_start(AnyWatch const& watch, Trail<Leg> const& legs, std::size_t
     return watch.notices(i > 0 ? at(legs[i - 1], legs[i].since).position : now, now);
 }
 
-template <typename AnyWatch>
-std::optional<double> first_notice(AnyWatch const& watch, Trail<Leg> const& legs, double from, double to) {
-    auto const after =
-        std::upper_bound(legs.begin(), legs.end(), from, [](double t, Leg const& l) { return t < l.since; });
-    std::size_t i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - legs.begin() - 1));
-    for (; i < legs.size() && legs[i].since <= to; ++i) {
+// Legs are looked at together where there are many: in rows of so many.
+constexpr std::size_t legs_in_row = 32;
+
+// When a leg of a trail ends, `never` where that is still to come.
+double end_of(Trail<Leg> const& legs, std::size_t i) { return i + 1 < legs.size() ? legs[i + 1].since : never; }
+
+Stretch stretch_of(Trail<Leg> const& legs, std::size_t first, std::size_t last, double from, double to) {
+    Stretch stretch{first, last, at_span(legs[first], std::max(0.0, from - legs[first].since)).position, 0};
+    if (first > 0)  // it may have come from elsewhere in no time
+        stretch.radius = geometry::length(at(legs[first - 1], legs[first].since).position - stretch.centre);
+    for (std::size_t i = first; i < last; ++i) {
         Leg const& leg = legs[i];
-        if (leg.since > from && noticed_at_start(watch, legs, i)) return leg.since;
-        double const end = i + 1 < legs.size() ? legs[i + 1].since : never;
-        if (auto const time = Search(leg, from, to, end).first(watch)) return time;
+        double const slack = search_slack(to);
+        double const low = std::max(0.0, from - leg.since - slack);
+        double const high = std::max(low, std::min(to + slack, end_of(legs, i)) - leg.since);
+        stretch.radius = std::max(stretch.radius, LegPart(leg, low, high).distance_from(stretch.centre).high);
     }
-    return std::nullopt;
+    stretch.radius += length_rounding;
+    return stretch;
 }
 
-std::optional<double> first_notice_by(Scene const& scene, History const& history, Sensor const& sensor, int ball,
-                                      double from, double to) {
-    return std::visit([&](auto const& watch) { return first_notice(watch, history.legs[ball], from, to); },
-                      watch_of(sensor, scene.balls[ball].radius));
+// The legs that have a part in (from, to]; the way of a few is not bounded.
+std::vector<Stretch> stretches_of(Trail<Leg> const& legs, double from, double to) {
+    auto const after = [](double t, Leg const& leg) { return t < leg.since; };
+    auto const index = [&](auto const& at) { return static_cast<std::size_t>(at - legs.begin()); };
+    std::size_t const next = index(std::upper_bound(legs.begin(), legs.end(), from, after));
+    std::size_t const first = next > 0 ? next - 1 : 0;
+    std::size_t const last = index(std::upper_bound(legs.begin() + static_cast<std::ptrdiff_t>(next), legs.end(), to, after));
+    if (last - first < legs_in_row / 4) return {{first, last}};
+    std::vector<Stretch> stretches;
+    for (std::size_t i = first; i < last; i += legs_in_row)
+        stretches.push_back(stretch_of(legs, i, std::min(i + legs_in_row, last), from, to));
+    return stretches;
+}
+
+template <typename AnyWatch>
+std::optional<double> first_notice(AnyWatch const& watch, Trail<Leg> const& legs, std::vector<Stretch> const& stretches,
+                                   double from, double to) {
+    for (Stretch const& stretch : stretches) {
+        if (watch.misses(stretch)) continue;
+        for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+            if (legs[i].since > from && noticed_at_start(watch, legs, i)) return legs[i].since;
+            if (auto const time = Search(legs[i], from, to, end_of(legs, i)).first(watch)) return time;
+        }
+    }
+    return std::nullopt;
 }
 
 // Before whatever else happens at that time, be it known already or not, and after other sensors.
@@ -222,12 +278,18 @@ std::vector<std::vector<bool>> nothing_noticed(Scene const& scene) {
 }
 
 void sense(Scene const& scene, World& world, double from, double to, History& history) {
+    std::vector<Stretch> stretches;
+    int whose = -1;
     for (int i = 0; i < static_cast<int>(scene.sensors.size()); ++i) {
         Sensor const& sensor = scene.sensors[i];
         Notice first;
         for (int ball = 0; ball < static_cast<int>(scene.balls.size()); ++ball) {
             if ((sensor.ball >= 0 && sensor.ball != ball) || world.noticed[i][ball]) continue;
-            auto const time = first_notice_by(scene, history, sensor, ball, from, to);
+            if (whose != ball) stretches = stretches_of(history.legs[ball], from, to);
+            whose = ball;
+            auto const time = std::visit(
+                [&](auto const& watch) { return first_notice(watch, history.legs[ball], stretches, from, to); },
+                watch_of(sensor, scene.balls[ball].radius));
             if (!time) continue;
             if (sensor.each_ball)
                 note(world, history, i, ball, *time);
