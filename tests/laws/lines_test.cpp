@@ -108,6 +108,19 @@ TEST_CASE("full grip without pressure is no friction") {
     }
 }
 
+TEST_CASE("full grip finds no hold on a wall that is upright but for the rounding of its ends") {
+    for (double const lean : {0.0, 2e-15, -2e-15, 1e-14}) {
+        CAPTURE(lean);
+        // It is thrown up along the wall, which it touches.
+        physics::Scene const scene = scene_of({line({16, 0}, {16 + lean, 9}, material(full_grip))}, {disc_at({15.5, 8}, {0, 3})});
+        Run run(physics::Exact{}, scene);
+        run.to(1);
+        CHECK(run.leg().phase == physics::Phase::flight);
+        CHECK(run.state().spin == 0);
+        CHECK(run.state().position.y() == doctest::Approx(8 + 3 - g / 2).epsilon(1e-14));
+    }
+}
+
 TEST_CASE("T8: a thousand flat joints are no bump") {
     std::vector<physics::Piece> pieces;
     for (int i = -5; i < 1000; ++i) pieces.push_back(line({0.05 * i, 0}, {0.05 * (i + 1), 0}, material(0.9)));

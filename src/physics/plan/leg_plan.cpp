@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/contact/first_contact.h"
+
 namespace physics {
 
 using geometry::dot;
@@ -149,7 +151,10 @@ double normal_force(MotionContext const& context, SurfaceState const& on_track) 
 
 bool is_pressed(MotionContext const& context, SurfaceState const& on_track) {
     Push const push = push_at(context, on_track);
-    return normal_force_of(push, on_track) > level_share * geometry::length(push.field);
+    Vec2 const place = position_at(on_track.track, on_track.q);
+    // Half of what a search for contacts takes for none (stand_at): what the one finds to close, the other presses.
+    double const rounding = (bend_rounding + place_rounding(place, context.ball.radius)) / 2;
+    return normal_force_of(push, on_track) > rounding * geometry::length(push.field);
 }
 
 ContactMode contact_mode_for(MotionContext const& context, SurfaceState const& on_track, ModeHint hint) {
