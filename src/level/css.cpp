@@ -63,6 +63,18 @@ bool is_harmless(std::string_view at_rule) {
            at_rule.substr(0, 10) == "@namespace" || at_rule.substr(0, 5) == "@page";
 }
 
+// The names of the CSS Compatibility Standard, section 2.3, that browsers read as those without the prefix.
+std::string_view without_prefix(std::string_view name) {
+    constexpr std::string_view prefix = "-webkit-";
+    constexpr std::string_view prefixed[] = {"transform",  "transform-origin", "clip-path", "mask",
+                                             "mask-image", "opacity",          "filter"};
+    if (!same_word(name.substr(0, prefix.size()), prefix)) return name;
+    std::string_view const rest = name.substr(prefix.size());
+    bool const is_known = std::any_of(std::begin(prefixed), std::end(prefixed),
+                                      [&](std::string_view known) { return same_word(rest, known); });
+    return is_known ? rest : name;
+}
+
 }  // namespace
 
 bool same_word(std::string_view a, std::string_view b) {
@@ -109,7 +121,8 @@ std::vector<Declaration> declarations_in(std::string_view css) {
         std::size_t const mark = find_outside(value, "!", 0);
         bool const important = mark < value.size() && same_word(trimmed(value.substr(mark + 1)), "important");
         if (mark < value.size() && !important) continue;
-        declarations.push_back({trimmed(text.substr(0, colon)), trimmed(value.substr(0, mark)), important});
+        declarations.push_back(
+            {without_prefix(trimmed(text.substr(0, colon))), trimmed(value.substr(0, mark)), important});
     }
     return declarations;
 }

@@ -15,7 +15,7 @@ namespace level {
 inline constexpr std::size_t largest_sheet = 1'000'000;  // bytes, of all sheets of a drawing together, or one style
 
 struct Declaration {
-    std::string_view name;  // as written; CSS does not tell upper from lower case
+    std::string_view name;  // as written, without -webkit-; CSS does not tell upper from lower case
     std::string_view value;
     bool important = false;
 };

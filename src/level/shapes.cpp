@@ -96,6 +96,8 @@ Vec2 radii_across_and_down(pugi::xml_node node, Vec2 const& viewport) {
 Shape rect(pugi::xml_node node, Vec2 const& viewport) {
     std::vector<Vec2> const points = corners_of_rect(node, viewport);
     if (points.empty()) return std::vector<Subpath>();
+    for (char const* const radius : {"rx", "ry"})
+        if (!same_word(trimmed(node.attribute(radius).value()), "auto")) not_negative(node, radius, viewport.x());
     Vec2 const radii = radii_across_and_down(node, viewport);
     if (radii.x() > 0 && radii.y() > 0) return std::vector{rounded_rect(points, radii.x(), radii.y())};
     return std::vector{closed_to_start(joined(points))};

@@ -36,8 +36,22 @@ constexpr Place places[] = {
 };
 
 // By which a style would change a shape or its place.
-constexpr std::string_view ignored_properties[] = {"d", "cx", "cy",    "r",      "rx",          "ry",
-                                                   "x", "y",  "width", "height", "offset-path", "all"};
+constexpr std::string_view ignored_properties[] = {"d",
+                                                   "cx",
+                                                   "cy",
+                                                   "r",
+                                                   "rx",
+                                                   "ry",
+                                                   "x",
+                                                   "y",
+                                                   "width",
+                                                   "height",
+                                                   "offset",
+                                                   "offset-path",
+                                                   "-webkit-transform-origin-x",
+                                                   "-webkit-transform-origin-y",
+                                                   "content-visibility",
+                                                   "all"};
 
 constexpr std::string_view undrawn_properties[] = {"stroke-dasharray", "marker", "marker-start",  "marker-mid",
                                                    "marker-end",       "filter", "mix-blend-mode"};
@@ -90,7 +104,7 @@ void apply(Style& style, Own& own, Style const& above, std::string_view name, st
         style.contents = same_word(value, "contents");
     }
     if (same_word(name, "clip-path")) own.clipped = !same_word(value, "none");
-    if (same_word(name, "mask")) own.masked = !same_word(value, "none");
+    if (same_word(name, "mask") || same_word(name, "mask-image")) own.masked = !same_word(value, "none");
 }
 
 // Attributes of these names are nothing, or a label's or an animation's, and no properties.
@@ -111,7 +125,7 @@ double share_in(std::string_view text, double otherwise) {
 
 bool is_understood(std::string_view property) {
     auto const is_it = [&](auto const& known) { return same_word(property, known.name); };
-    constexpr std::string_view own[] = {"opacity", "display", "clip-path", "mask"};
+    constexpr std::string_view own[] = {"opacity", "display", "clip-path", "mask", "mask-image"};
     return std::any_of(std::begin(texts), std::end(texts), is_it) ||
            std::any_of(std::begin(places), std::end(places), is_it) || is_among(ignored_properties, property) ||
            is_among(undrawn_properties, property) || is_among(own, property);

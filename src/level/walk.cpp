@@ -22,12 +22,20 @@ bool is_definition(std::string_view tag) {
            tag == "title" || tag == "desc" || tag == "metadata" || tag == "style";
 }
 
+// What every browser says to know: XHTML and MathML, in whatever it holds.
+bool are_known(std::string_view extensions) {
+    std::vector<std::string_view> const names = word_list(extensions);
+    return !names.empty() && std::all_of(names.begin(), names.end(), [](std::string_view name) {
+        return name == "http://www.w3.org/1999/xhtml" || name == "http://www.w3.org/1998/Math/MathML";
+    });
+}
+
 // SVG 2, section 5.8: whether an element is for readers such as we are. Ours read English, wherever they are, so that
 // a drawing is one level.
 bool applies(pugi::xml_node node) {
     pugi::xml_attribute const extensions = node.attribute("requiredExtensions");
     pugi::xml_attribute const languages = node.attribute("systemLanguage");
-    if (extensions) return false;
+    if (extensions && !are_known(extensions.value())) return false;
     if (!languages) return true;
     std::string text = languages.value();
     std::replace(text.begin(), text.end(), ',', ' ');
@@ -165,7 +173,10 @@ void Walk::enter_copy(pugi::xml_node use, Context context) {
 bool Walk::enter_viewport(pugi::xml_node node, pugi::xml_node use, Context& context) {
     try {
         auto const viewport = viewport_of(node, use, context.viewport.size);
-        if (!viewport) return false;
+        if (!viewport) {
+            warn(node, "shows nothing: its width, height and viewBox must be greater than 0");
+            return false;
+        }
         context.to_world = composed(context.to_world, viewport->map);
         context.viewport = {Vec2::Zero(), viewport->size};
         std::string_view const overflow = context.style.overflow;
@@ -215,9 +226,12 @@ Affine Walk::placement_of(pugi::xml_node node, std::string_view tag, Context con
         if (!given.in_style && !transform.in_attribute)
             warn(node, "transform: browsers heed it as an attribute only without units and as SVG spells it");
         map = composed(map, transform.map);
-        if (given.origin.empty() && given.box.empty()) return map;
+        // Browsers' own sheets put the origin of all but the outermost svg at 0 0, and miss the copy of one.
+        bool const is_copied_svg = tag == "svg" && context.copy == Copy::itself;
+        std::string_view const usual = is_copied_svg ? "50% 50%" : "0 0";
+        if (given.origin.empty() && given.box.empty() && !is_copied_svg) return map;
         what = "transform-origin: ";
-        return about(parsed_origin(given.origin.empty() ? "0 0" : given.origin, box), map);
+        return about(parsed_origin(given.origin.empty() ? usual : given.origin, box), map);
     } catch (Broken const& broken) {
         reading_.report.fault(document_.line_of(node), elements_.label(node, tag) + ": " + what + broken.what());
         reading_.in_place = false;

@@ -118,6 +118,14 @@ TEST_CASE("what a browser shows otherwise is told") {
           "3: terrain: a clip path or mask has no effect on it: it counts whole");
     CHECK(warnings_of(with("<line class='terrain' mask='url(#m)' " + line)) ==
           "3: terrain: a clip path or mask has no effect on it: it counts whole");
+    CHECK(warnings_of(with("<line class='terrain' style='-webkit-mask-image:url(#m)' " + line)) ==
+          "3: terrain: a clip path or mask has no effect on it: it counts whole");
+    for (std::string const property : {"offset", "offset-path", "-webkit-transform-origin-x", "content-visibility"})
+        CHECK(warnings_of(with("<g style='" + property + ":x'><line class='terrain' " + line + "</g>")) ==
+              "3: g: the style property " + property + " has no effect; make it an attribute");
+    for (std::string const size : {"width='0'", "height='-2'", "viewBox='0 0 0 9'"})
+        CHECK(warnings_of(with("<svg " + size + "><line class='terrain' " + line + "</svg>")) ==
+              "3: svg: shows nothing: its width, height and viewBox must be greater than 0");
     CHECK(warnings_of(with("<path class='terrain' style='d:path(\"M0 0\")' d='M0 8H9'/>")) ==
           "3: terrain: the style property d has no effect; make it an attribute");
     CHECK(warnings_of(with("<line class='terrain' opacity='0' " + line)) ==

@@ -75,6 +75,8 @@ TEST_CASE("faults of surfaces, bananas and goals") {
           ":3: goal: transform must keep a circle a circle; make width and height the same");
     CHECK(fault_of(with("<rect class='goal' width='-1' height='1'/>")) ==
           ":3: goal: width must not be negative, got -1");
+    CHECK(fault_of(with("<rect class='terrain' width='3' height='1' rx='-1' ry='.2'/>")) ==
+          ":3: terrain: rx must not be negative, got -1");
     CHECK(fault_of(with("<g data-friction='-1'><line class='terrain' x2='1'/></g>")) ==
           ":3: g: data-friction must be at least 0, got -1");
     CHECK(fault_of(with("<g data-friction='inf'><line class='terrain' x2='1'/></g>")) == "");

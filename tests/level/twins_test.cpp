@@ -82,6 +82,12 @@ TEST_CASE("transforms in a style and with units are those of the attribute") {
     CHECK(against_matrix("style='translate:1px 2px; rotate:90deg; scale:2'", "0 2 -2 0 1 2") == "");
     CHECK(against_matrix("style='transform:scale(50%)'", ".5 0 0 .5 0 0") == "");
     CHECK(against_matrix("transform='scale(9)' style='transform:unset'", "1 0 0 1 0 0") == "");
+    // The names that browsers still read with the prefix of old.
+    CHECK(against_matrix("style='-webkit-transform:rotate(90deg)'", "0 1 -1 0 0 0") == "");
+    CHECK(against_matrix("style='-WEBKIT-transform:scale(2);transform:scaleX(-1)'", "-1 0 0 1 0 0") == "");
+    CHECK(against_matrix("style='transform:scale(2);-webkit-transform-origin:1px 1px'", "2 0 0 2 -1 -1") == "");
+    CHECK(difference(with("<style>g{-webkit-transform:scaleX(-1)}</style><g>" + hill + "</g>"),
+                     moved("transform='scale(-1,1)'")) == "");
     // Of the shape's own box: 2 by 1.
     CHECK(difference(with("<rect class='terrain' x='8' y='5' width='2' height='1' "
                           "style='transform-box:fill-box;transform:translate(50%,100%)'/>"),
@@ -195,6 +201,12 @@ TEST_CASE("a use is a copy of what it refers to") {
     CHECK(difference(with("<symbol id='s' viewBox='0 0 2 2'><path class='terrain' d='M0 1H2'/></symbol>"
                           "<use href='#s' x='6' y='4' width='4' height='4'/>"),
                      with("<path class='terrain' d='M6 6H10'/>")) == "");
+    // The copy of a svg turns about the middle of the page, the svg itself about its corner.
+    CHECK(difference(with("<defs><svg id='s' transform='rotate(180)'><path class='terrain' d='M1 7H4'/></svg></defs>"
+                          "<use href='#s'/>"),
+                     with("<path class='terrain' d='M15 2H12'/>")) == "");
+    CHECK(difference(with("<svg transform='rotate(180)'><path class='terrain' d='M-1 -7H-4'/></svg>"),
+                     with("<path class='terrain' d='M1 7H4'/>")) == "");
     CHECK(difference(with("<circle id='b' class='ball' cx='6' cy='4' r='.5'/><use href='#b' x='3'/>"),
                      with("<circle class='ball' cx='6' cy='4' r='.5'/><circle class='ball' cx='9' cy='4' r='.5'/>")) ==
           "");
@@ -243,6 +255,12 @@ TEST_CASE("a switch shows its first child that applies") {
                  other) == "");
     CHECK(chosen("<x xmlns='urn:x'/><foreignObject requiredExtensions='urn:x'/><g>" + hill + "</g>") == "");
     CHECK(chosen("<title>t</title>" + hill + other) == "");
+    // What every browser says to know, and a list with what none does.
+    std::string const xhtml = "http://www.w3.org/1999/xhtml", mathml = "http://www.w3.org/1998/Math/MathML";
+    CHECK(chosen("<g requiredExtensions='" + xhtml + "'>" + hill + "</g>" + other) == "");
+    CHECK(chosen("<g requiredExtensions=' " + mathml + " " + xhtml + "'>" + hill + "</g>" + other) == "");
+    CHECK(chosen("<g requiredExtensions='" + xhtml + " urn:x'>" + other + "</g>" + hill) == "");
+    CHECK(chosen("<g requiredExtensions=''>" + other + "</g>" + hill) == "");
 }
 
 TEST_CASE("a nested svg shows its viewBox in its place") {
