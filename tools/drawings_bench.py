@@ -142,6 +142,15 @@ INPUTS = {
     "sheet-quotes": ("check", lambda: level("<style>" + "'{" * 490_000 + "</style>"), 0, 2, 500),
     "styles-1-MB": ("check", lambda: level(('<path class="terrain" d="M0 5H9" style="' + "fill:red;" * 110_000 + '"/>\n') * 60),
                     0, 10, None),
+    "gradients-shared": ("check", lambda: level('<linearGradient id="g">' + '<stop offset=".5" stop-color="red"/>' * 80_000
+                                                + "</linearGradient>" + "".join(
+                                                    f'<linearGradient id="h{i}" href="#g"/>'
+                                                    f'<rect width="1" height="1" fill="url(#h{i})"/>\n' for i in range(5000))),
+                         0, 2, 500),
+    "goals-stars": ("check", lambda: level("".join(
+        '<polygon class="goal" points="' + " ".join(
+            f"{80 + r * math.cos(a):.4f},{45 + r * math.sin(a):.4f}" for i in range(480)
+            for r, a in [(20 + 6 * (i % 2), math.tau * i / 480)]) + '"/>\n' for _ in range(300))), 3, 2, 500),
     "flat": ("check", lambda: level('<path class="terrain" transform="scale(0)" d="M0 5H9"/>'), 3, 2, 500),
     "nan": ("check", lambda: level('<path class="terrain" d="M0 5LNaN 6"/>'), 3, 2, 500),
     "gzip-bomb": ("check", lambda: gzip.compress(HEAD.encode() + b" " * 1_000_000_000, 1),

@@ -16,7 +16,8 @@ namespace level {
 
 namespace {
 
-constexpr double curve_tolerance = 1e-3;  // m, where the drawing does not say
+constexpr double curve_tolerance = 1e-3;          // m, where the drawing does not say
+constexpr std::size_t most_goal_corners = 5'000;  // of goals that are not convex
 
 // Less of an area than rounding leaves is none, and so is one that cannot be told.
 bool is_flat(Affine const& map) {
@@ -251,10 +252,13 @@ void Elements::read_banana(Element const& element) {
 }
 
 void Elements::read_goal(Element const& element) {
-    auto const regions =
-        goal_regions(element.node, element.tag, element.context.to_world, element.context.viewport.size);
-    if (regions.empty()) return warn(element, "is empty");
-    for (physics::Region const& region : regions) {
+    if (goal_corners_met_ > most_goal_corners) return;
+    auto const goal = goal_regions(element.node, element.tag, element.context.to_world, element.context.viewport.size);
+    if (goal.regions.empty()) return warn(element, "is empty");
+    goal_corners_met_ += goal.parted;
+    if (goal_corners_met_ > most_goal_corners)
+        throw Broken("all goals that are not convex must have at most 5000 corners together; draw simpler ones");
+    for (physics::Region const& region : goal.regions) {
         physics::Sensor sensor;
         sensor.region = region;
         add_sensor(element, sensor, Meaning::goal);

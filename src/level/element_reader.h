@@ -104,7 +104,7 @@ private:
     Paints paints_;
     std::vector<physics::Piece> pieces_;
     std::vector<int> players_, copied_players_;
-    std::size_t pieces_met_ = 0;
+    std::size_t pieces_met_ = 0, goal_corners_met_ = 0;
     int balls_met_ = 0, sensor_elements_ = 0;
     bool grass_met_ = false;  // terrain that the drawing does not paint itself
 };

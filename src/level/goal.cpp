@@ -35,7 +35,7 @@ std::vector<Vec2> corners_along(Outline const& outline, double tolerance) {
     return corners;
 }
 
-std::vector<Region> parts_of(Outline const& outline) {
+GoalRegions parts_of(Outline const& outline) {
     geometry::Box const box = box_of(std::span(&outline, 1));
     double const size = geometry::length(box.high - box.low);
     std::vector<Vec2> const corners =
@@ -46,9 +46,10 @@ std::vector<Region> parts_of(Outline const& outline) {
     auto const parts = convex_parts(corners);
     if (parts.empty())
         throw Broken("its outline crosses itself; make it one without crossings (Inkscape: Path > Union)");
-    std::vector<Region> regions;
-    for (auto const& part : parts) regions.emplace_back(physics::PolygonRegion{part});
-    return regions;
+    GoalRegions goal;
+    for (auto const& part : parts) goal.regions.emplace_back(physics::PolygonRegion{part});
+    if (parts.size() > 1) goal.parted = corners.size();
+    return goal;
 }
 
 std::vector<Region> line_region(std::vector<Vec2> const& ends, Affine const& map) {
@@ -67,21 +68,22 @@ std::vector<Region> rect_region(std::vector<Vec2> corners, Affine const& map) {
 
 }  // namespace
 
-std::vector<Region> goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world,
-                                 Vec2 const& viewport) {
-    if (tag == "line") return line_region(ends_of_line(node, viewport), to_world);
+GoalRegions goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world, Vec2 const& viewport) {
+    if (tag == "line") return {line_region(ends_of_line(node, viewport), to_world)};
     if (tag == "rect" && !has_round_corners(node, viewport))
-        return rect_region(corners_of_rect(node, viewport), to_world);
+        return {rect_region(corners_of_rect(node, viewport), to_world)};
     Shape const shape = shape_of(node, tag, viewport);
-    if (auto const disc = disc_of(shape, to_world)) return {*disc};
+    if (auto const disc = disc_of(shape, to_world)) return {{*disc}};
     if (tag == "circle") throw Broken(why_not_round(shape, to_world, tag));
-    std::vector<Region> regions;
+    GoalRegions goal;
     for (Outline const& outline : traced(shape, to_world, chord_tolerance / 2).outlines) {
         if (!outline.closed)
             throw Broken(std::string(tag) + " cannot be goal: it is open; close it, or draw a line element");
-        for (Region& region : parts_of(outline)) regions.push_back(std::move(region));
+        GoalRegions parts = parts_of(outline);
+        for (Region& region : parts.regions) goal.regions.push_back(std::move(region));
+        goal.parted += parts.parted;
     }
-    return regions;
+    return goal;
 }
 
 }  // namespace level

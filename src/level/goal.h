@@ -11,8 +11,12 @@
 
 namespace level {
 
-// None where the shape has no extent. Throws Broken for what cannot be a goal, saying what to do.
-std::vector<physics::Region> goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world,
-                                          Vec2 const& viewport);
+struct GoalRegions {
+    std::vector<physics::Region> regions;  // none where the shape has no extent
+    std::size_t parted = 0;  // corners of outlines that are not convex: parting takes their square of time
+};
+
+// Throws Broken for what cannot be a goal, saying what to do.
+GoalRegions goal_regions(pugi::xml_node node, std::string_view tag, Affine const& to_world, Vec2 const& viewport);
 
 }  // namespace level

@@ -67,6 +67,33 @@ std::string named_in(std::string_view text) {
     return std::string(name.substr(0, 1) == "#" ? name.substr(1) : std::string_view());
 }
 
+std::size_t first_comma(std::string_view arguments) {
+    int depth = 0;
+    for (std::size_t at = 0; at < arguments.size(); ++at) {
+        if (arguments[at] == '(') ++depth;
+        if (arguments[at] == ')') --depth;
+        if (arguments[at] == ',' && depth == 0) return at;
+    }
+    return std::string_view::npos;
+}
+
+// What light-dark() is on a light page, and what var() falls back to: draw.io and Figma write such.
+std::string_view without_choice(std::string_view text) {
+    constexpr int deepest = 16;
+    for (int i = 0; i < deepest; ++i) {
+        text = trimmed(text);
+        std::size_t const open = std::min(text.find('('), text.size());
+        bool const is_light = same_word(text.substr(0, open), "light-dark");
+        bool const is_choice = is_light || same_word(text.substr(0, open), "var");
+        if (!is_choice || text.back() != ')') return text;
+        std::string_view const arguments = text.substr(open + 1, text.size() - open - 2);
+        std::size_t const comma = first_comma(arguments);
+        if (comma == std::string_view::npos) return text;
+        text = is_light ? arguments.substr(0, comma) : arguments.substr(comma + 1);
+    }
+    return text;
+}
+
 bool is_gradient(pugi::xml_node node) {
     std::string_view const tag = Document::tag_of(node);
     return tag == "linearGradient" || tag == "radialGradient";
@@ -83,33 +110,58 @@ pugi::xml_node Paints::gradient(std::string const& id) {
 }
 
 // A gradient without stops has those of the one that it refers to.
-std::vector<GradientStop> Paints::stops_of(pugi::xml_node node) {
+pugi::xml_node Paints::owner_of_stops(std::string const& id) {
     constexpr int longest_chain = 16;
-    std::vector<GradientStop> stops;
-    for (int i = 0; i < longest_chain && node && stops.empty(); ++i) {
-        for (pugi::xml_node const child : node.children()) {
-            if (Document::tag_of(child) != "stop") continue;
-            Style const style = styles_.of(child, Style{});
-            auto const colour = colour_in(same_word(style.stop_color, "currentcolor") ? style.color : style.stop_color);
-            double const least = stops.empty() ? 0 : stops.back().offset;
-            stops.push_back(
-                {std::max(share_in(child.attribute("offset").value(), 0), least), colour.value_or(Colour{0, 0, 0, 0})});
-            stops.back().colour.opacity *= share_in(style.stop_opacity, 1);
-        }
+    pugi::xml_node node = gradient(id);
+    for (int i = 0; i < longest_chain && node; ++i) {
+        auto const is_stop = [](pugi::xml_node child) { return Document::tag_of(child) == "stop"; };
+        if (node.find_child(is_stop)) return node;
         std::string_view const reference = Document::reference_of(node);
         node = reference.substr(0, 1) == "#" ? gradient(std::string(reference.substr(1))) : pugi::xml_node();
+    }
+    return {};
+}
+
+// Once, be it that they are not understood: thousands of shapes may name them.
+std::vector<GradientStop> const& Paints::stops_of(pugi::xml_node owner) {
+    auto const [place, is_new] = stops_.try_emplace(owner.hash_value());
+    Stops& known = place->second;
+    if (is_new) {
+        try {
+            known.stops = read_stops(owner);
+        } catch (Unsupported const& unsupported) {
+            known.unsupported = unsupported.what();
+        }
+    }
+    if (!known.unsupported.empty()) throw Unsupported(known.unsupported);
+    return known.stops;
+}
+
+std::vector<GradientStop> Paints::read_stops(pugi::xml_node owner) {
+    std::vector<GradientStop> stops;
+    for (pugi::xml_node const child : owner.children()) {
+        if (Document::tag_of(child) != "stop") continue;
+        Style const style = styles_.of(child, Style{});
+        auto const colour = colour_in(same_word(style.stop_color, "currentcolor") ? style.color : style.stop_color);
+        double const least = stops.empty() ? 0 : stops.back().offset;
+        stops.push_back(
+            {std::max(share_in(child.attribute("offset").value(), 0), least), colour.value_or(Colour{0, 0, 0, 0})});
+        stops.back().colour.opacity *= share_in(style.stop_opacity, 1);
     }
     return stops;
 }
 
 std::optional<Paint> Paints::mean_of(std::string const& id) {
-    pugi::xml_node const node = gradient(id);
-    bool const is_radial = Document::tag_of(node) == "radialGradient";
+    pugi::xml_node const owner = owner_of_stops(id);
+    bool const is_radial = Document::tag_of(gradient(id)) == "radialGradient";
+    auto& means = is_radial ? radial_means_ : linear_means_;
+    auto const known = means.find(owner.hash_value());
+    if (known != means.end()) return known->second;
     std::vector<Share> shares;
-    for (GradientStop const& stop : stops_of(node))
+    for (GradientStop const& stop : stops_of(owner))
         shares.push_back({is_radial ? stop.offset * stop.offset : stop.offset, premultiplied(stop.colour)});
-    if (shares.empty()) return std::nullopt;
-    return mean_of_shares(shares);
+    auto const mean = shares.empty() ? std::nullopt : std::optional(mean_of_shares(shares));
+    return means.emplace(owner.hash_value(), mean).first->second;
 }
 
 std::optional<Fade> Paints::fade_of(std::string const& id, Affine const& to_world) {
@@ -119,7 +171,7 @@ std::optional<Fade> Paints::fade_of(std::string const& id, Affine const& to_worl
     if (node.attribute("gradientTransform") || !(is("spreadMethod", "") || is("spreadMethod", "pad")))
         return std::nullopt;
     auto const from = point_in(node, "x1", "y1"), to = point_in(node, "x2", "y2");
-    std::vector<GradientStop> const stops = stops_of(node);
+    std::vector<GradientStop> const& stops = stops_of(owner_of_stops(id));
     if (!from || !to || stops.size() != 2) return std::nullopt;
     bool const is_upright = to_world.b == 0 && to_world.c == 0;
     if (!is_upright || from->x() != to->x()) return std::nullopt;
@@ -138,8 +190,8 @@ std::optional<Fade> Paints::fade_of(std::string const& id, Affine const& to_worl
 }
 
 std::optional<Paint> Paints::paint_in(std::string_view text, std::string_view current) {
-    text = trimmed(text);
-    if (same_word(text, "currentcolor")) text = current;
+    text = without_choice(text);
+    if (same_word(text, "currentcolor")) text = without_choice(current);
     std::size_t const close = text.find(')');
     bool const is_reference = same_word(text.substr(0, 4), "url(") && close != std::string_view::npos;
     if (!is_reference) {

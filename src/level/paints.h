@@ -42,15 +42,24 @@ public:
     bool met_gradients() const { return met_gradients_; }
 
 private:
-    std::vector<GradientStop> stops_of(pugi::xml_node node);
+    // The gradient whose stops are those of the one with this id: itself, or one that it refers to.
+    pugi::xml_node owner_of_stops(std::string const& id);
+    std::vector<GradientStop> const& stops_of(pugi::xml_node owner);  // throws Unsupported
+    std::vector<GradientStop> read_stops(pugi::xml_node owner);
     std::optional<Paint> mean_of(std::string const& id);
     std::optional<Fade> fade_of(std::string const& id, Affine const& to_world);
     pugi::xml_node gradient(std::string const& id);
 
+    struct Stops {
+        std::vector<GradientStop> stops;
+        std::string unsupported;  // why they cannot be read, or empty
+    };
     pugi::xml_node root_;
     Styles& styles_;
     std::unordered_map<std::string, pugi::xml_node> by_id_;
     std::unordered_map<std::string, std::optional<Paint>> means_;
+    std::unordered_map<std::size_t, Stops> stops_;                                       // by owner
+    std::unordered_map<std::size_t, std::optional<Paint>> linear_means_, radial_means_;  // the same
     bool met_gradients_ = false;
 };
 

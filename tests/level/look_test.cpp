@@ -41,6 +41,13 @@ TEST_CASE("terrain keeps the fill and stroke that the drawing gives it") {
                   "/></g>") == "#ff0000/#0000ff/2/0.5");
     CHECK(painted("<style>.a{fill:currentColor}</style><path class='terrain a' color='lime' " + earth + "/>") ==
           "#00ff00/none/0/1");
+    // As draw.io and Figma write colours.
+    CHECK(painted("<path class='terrain' style='fill:light-dark(rgb(255, 0, 0), var(--edge, #121212))' " + earth +
+                  "/>") == "#ff0000/none/0/1");
+    CHECK(painted("<path class='terrain' fill='var(--fill-0, #88AA55)' " + earth + "/>") == "#88aa55/none/0/1");
+    CHECK(painted("<path class='terrain' fill='VAR( --a , var(--b,hsl(0 100% 50%)) )' " + earth + "/>") ==
+          "#ff0000/none/0/1");
+    CHECK(has_grass("<path class='terrain' fill='var(--fill-0)' " + earth + "/>"));
     CHECK(painted("<line class='terrain' x1='1' y1='5' x2='9' y2='5' fill='red' stroke='red' stroke-width='1mm'/>") ==
           "none/#ff0000/3.77953/1");
     CHECK(!has_grass("<path class='terrain' fill='#8a5' " + earth + "/>"));
@@ -84,6 +91,14 @@ TEST_CASE("a gradient stands for its mean colour") {
     CHECK(of("<linearGradient id='a'><stop stop-color='red'/><stop offset='1' stop-color='red' "
              "stop-opacity='0'/></linearGradient>") == "#ff0000/none/0/0.5");
     CHECK(of("<linearGradient id='a' href='#b'/><linearGradient id='b' href='#a'/>") == "");
+    // Two that share their stops, each with its own mean of them.
+    auto const two =
+        read(with("<linearGradient id='s'><stop offset='.5' stop-color='#000'/><stop offset='.5' "
+                  "stop-color='#fc8'/></linearGradient><radialGradient id='r' href='#s'/>"
+                  "<linearGradient id='l' href='#s'/><rect width='1' height='1' fill='url(#r)'/>"
+                  "<rect width='1' height='1' fill='url(#l)'/>"));
+    CHECK(two.decorations.at(0).fill == "#bf9966");
+    CHECK(two.decorations.at(1).fill == "#806644");
     CHECK(painted("<path class='terrain' fill='url(#none) #abc' " + earth + "/>") == "#aabbcc/none/0/1");
     auto const level = read(with("<radialGradient id='a'>" + stops +
                                  "</radialGradient><rect fill='url(#a)' width='1' "
