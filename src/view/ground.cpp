@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 
-#include "view/bodies.h"
 #include "view/surface_look.h"
 #include "view/surface_signs.h"
 
@@ -171,36 +171,86 @@ void add_surface(Ground& ground, Body const& body, std::pair<std::size_t, std::s
     add_signs(ground.marks, {sward.edge, sward.into, depth}, look);
 }
 
+// Bands reach into the earth by their depth times the length of `into`, at most 2; marks lie in them.
+constexpr double paint_reach = 0.5;  // m
+
+geometry::Box box_of_paint(Body const& body) {
+    geometry::Box box = box_of_ring(body.edge);
+    for (Ring const& ring : body.rings) box = geometry::united(box, box_of_ring(ring));
+    return geometry::grown(box, paint_reach);
+}
+
+// Of one body, in the order of its layers.
+Ground ground_of(Body const& body, std::vector<SurfaceLook> const& looks) {
+    Ground ground;
+    if (!body.rings.empty()) ground.patches.push_back(patch_of(body.rings, Cover::earth));
+    add_edge_bands(ground, body);
+    auto const look_at = [&](std::size_t edge) { return looks.empty() ? SurfaceLook{} : looks[edge]; };
+    auto const is_sunny = [&](std::size_t edge) {
+        return look_at(edge) == SurfaceLook{} && -into_at_edge(body, edge).y() > 0.2;
+    };
+    for (std::pair<std::size_t, std::size_t> const& run : runs_of(body, is_sunny)) add_turf(ground, body, run);
+    if (looks.empty()) return ground;
+    for (Base const base : {Base::grass, Base::ice, Base::mud, Base::tread})
+        for (bool const bouncy : {false, true}) {
+            SurfaceLook const look{base, bouncy};
+            if (look == SurfaceLook{}) continue;
+            auto const is_so = [&](std::size_t edge) { return look_at(edge) == look; };
+            for (std::pair<std::size_t, std::size_t> const& run : runs_of(body, is_so))
+                add_surface(ground, body, run, look);
+        }
+    return ground;
+}
+
+// The earth of all bodies is painted first, then the edges of all, then what grows or lies on them.
+constexpr int layers = 3;
+int layer_of(Cover cover) {
+    if (cover == Cover::earth) return 0;
+    return cover == Cover::shade || cover == Cover::rim ? 1 : 2;
+}
+
 }  // namespace
 
-Ground ground_of(level::Level const& level) {
+LazyGround::LazyGround(level::Level const& level)
+    : level_(&level),
+      plain_(is_plain(level.scene.terrain)),
+      bodies_(bodies_of(level)),
+      painted_(std::make_unique<Painted[]>(bodies_.size())) {
+    boxes_.reserve(bodies_.size());
+    for (Body const& body : bodies_) boxes_.push_back(box_of_paint(body));
+}
+
+Ground const& LazyGround::painted(std::size_t body) const {
+    Painted& place = painted_[body];
+    std::call_once(place.once, [&] {
+        auto const looks = plain_ ? std::vector<SurfaceLook>{} : looks_along(bodies_[body], level_->scene.terrain);
+        place.ground = std::make_unique<Ground const>(ground_of(bodies_[body], looks));
+    });
+    return *place.ground;
+}
+
+Ground LazyGround::within(geometry::Box const& sight) const {
+    std::vector<Ground const*> parts;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (geometry::overlap(sight, boxes_[i])) parts.push_back(&painted(i));
     Ground ground;
-    std::vector<Body> bodies = bodies_of(level);
-    constexpr std::size_t usual_patches = 6;  // of a body
-    ground.patches.reserve(usual_patches * bodies.size());
-    for (Body& body : bodies)
-        if (!body.rings.empty()) ground.patches.push_back(patch_of(std::move(body.rings), Cover::earth));
-    for (Body const& body : bodies) add_edge_bands(ground, body);
-    bool const plain = is_plain(level.scene.terrain);  // all of it is grass
-    for (Body const& body : bodies) {
-        std::vector<SurfaceLook> const looks =
-            plain ? std::vector<SurfaceLook>{} : looks_along(body, level.scene.terrain);
-        auto const look_at = [&](std::size_t edge) { return looks.empty() ? SurfaceLook{} : looks[edge]; };
-        auto const is_sunny = [&](std::size_t edge) {
-            return look_at(edge) == SurfaceLook{} && -into_at_edge(body, edge).y() > 0.2;
-        };
-        for (std::pair<std::size_t, std::size_t> const& run : runs_of(body, is_sunny)) add_turf(ground, body, run);
-        if (looks.empty()) continue;
-        for (Base const base : {Base::grass, Base::ice, Base::mud, Base::tread})
-            for (bool const bouncy : {false, true}) {
-                SurfaceLook const look{base, bouncy};
-                if (look == SurfaceLook{}) continue;
-                auto const is_so = [&](std::size_t edge) { return look_at(edge) == look; };
-                for (std::pair<std::size_t, std::size_t> const& run : runs_of(body, is_so))
-                    add_surface(ground, body, run, look);
-            }
+    for (int layer = 0; layer < layers; ++layer)
+        for (Ground const* const part : parts)
+            for (Patch const& patch : part->patches)
+                if (layer_of(patch.cover) == layer && geometry::overlap(sight, patch.box))
+                    ground.patches.push_back(patch);
+    for (Ground const* const part : parts) {
+        for (Mark const& mark : part->marks)
+            if (geometry::overlap(sight, {mark.from, mark.from})) ground.marks.push_back(mark);
+        for (Tuft const& tuft : part->tufts)
+            if (geometry::overlap(sight, {tuft.root, tuft.root})) ground.tufts.push_back(tuft);
     }
     return ground;
+}
+
+Ground ground_of(level::Level const& level) {
+    constexpr double everywhere = std::numeric_limits<double>::max();
+    return LazyGround(level).within({Vec2::Constant(-everywhere), Vec2::Constant(everywhere)});
 }
 
 }  // namespace view

@@ -2,9 +2,12 @@
 // it does where it is slippery, sticky, soft or bouncy. In metres, for any camera.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "level/level.h"
+#include "view/bodies.h"
 #include "view/camera.h"
 #include "view/picture.h"
 
@@ -40,7 +43,31 @@ struct Ground {
     std::vector<Tuft> tufts;
 };
 
-Ground ground_of(level::Level const& level);
+// The ground of a level, which must outlive it. The paint of a body is made when that comes into a sight for the first
+// time: large drawings have tens of thousands that no picture shows.
+class LazyGround {
+public:
+    LazyGround() = default;  // none
+    explicit LazyGround(level::Level const& level);
+
+    // What overlaps a sight, in m. Threads may ask at the same time.
+    Ground within(geometry::Box const& sight) const;
+
+private:
+    struct Painted {
+        std::once_flag once;
+        std::unique_ptr<Ground const> ground;
+    };
+    Ground const& painted(std::size_t body) const;
+
+    level::Level const* level_ = nullptr;
+    bool plain_ = true;  // all of it is grass
+    std::vector<Body> bodies_;
+    std::vector<geometry::Box> boxes_;  // by body: what its paint lies in
+    std::unique_ptr<Painted[]> painted_;
+};
+
+Ground ground_of(level::Level const& level);  // all of it
 
 std::vector<Shape> ground_shapes(Ground const& ground, Camera const& camera);
 

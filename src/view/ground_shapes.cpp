@@ -106,15 +106,11 @@ Colour colour_of(Sign sign) {
 
 std::vector<Shape> ground_shapes(Ground const& ground, Camera const& camera) {
     std::vector<Shape> shapes;
-    geometry::Box const sight = geometry::grown(sight_of(camera), 0.5);
-    for (Tuft const& tuft : ground.tufts)
-        if (geometry::overlap(sight, {tuft.root, tuft.root})) add_tuft(shapes, tuft, camera);
-    for (Patch const& patch : ground.patches)
-        if (geometry::overlap(sight, patch.box)) shapes.emplace_back(area_of(patch, camera));
+    for (Tuft const& tuft : ground.tufts) add_tuft(shapes, tuft, camera);
+    for (Patch const& patch : ground.patches) shapes.emplace_back(area_of(patch, camera));
     for (Mark const& mark : ground.marks)
-        if (geometry::overlap(sight, {mark.from, mark.from}))
-            shapes.emplace_back(Stroke{pixel_of(camera, mark.from), pixel_of(camera, mark.to),
-                                       mark.width * camera.scale, colour_of(mark.sign)});
+        shapes.emplace_back(Stroke{pixel_of(camera, mark.from), pixel_of(camera, mark.to), mark.width * camera.scale,
+                                   colour_of(mark.sign)});
     return shapes;
 }
 

@@ -13,6 +13,8 @@ namespace view {
 
 namespace {
 
+constexpr double ground_margin = 0.5;  // m: grass and signs are drawn beyond the place that they stand at
+
 void append(std::vector<Shape>& shapes, std::vector<Shape> more) {
     for (Shape& shape : more) shapes.emplace_back(std::move(shape));
 }
@@ -20,7 +22,7 @@ void append(std::vector<Shape>& shapes, std::vector<Shape> more) {
 }  // namespace
 
 Stage stage_of(std::shared_ptr<level::Level const> level) {
-    Ground ground = ground_of(*level);
+    LazyGround ground(*level);
     return {std::move(level), std::move(ground)};
 }
 
@@ -29,7 +31,8 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     Picture picture;
     picture.width = static_cast<int>(std::lround(camera.size.x()));
     picture.height = static_cast<int>(std::lround(camera.size.y()));
-    picture.backdrop = backdrop_shapes(level, stage.ground, camera);
+    Ground const ground = stage.ground.within(geometry::grown(sight_of(camera), ground_margin));
+    picture.backdrop = backdrop_shapes(level, ground, camera);
     picture.backdrop_key = backdrop_key_of(level, camera);
     std::vector<Shape>& shapes = picture.shapes;
     bool const is_high = dressing.contrast == Contrast::high;

@@ -16,7 +16,7 @@ namespace view {
 // A level made ready for pictures: what its look needs and no camera changes is found once.
 struct Stage {
     std::shared_ptr<level::Level const> level;
-    Ground ground;
+    LazyGround ground;
 };
 Stage stage_of(std::shared_ptr<level::Level const> level);
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "stages.h"
@@ -131,6 +133,42 @@ TEST_CASE("a closed outline around the play is a wall, one without is solid") {
     CHECK(earth_at(Vec2(4.5, 4.5)) == 1);
     CHECK(earth_at(Vec2(0.4, 4)) == 1);
     CHECK(earth_at(Vec2(0.6, 4)) == 0);
+}
+
+TEST_CASE("the ground in sight is what the whole ground has there, in its order") {
+    level::Level level = floor_level(16, 9);
+    level.outlines.clear();
+    for (int i = 0; i < 40; ++i) {
+        level::Outline brick;
+        Vec2 const low(0.3 + i % 8 * 2, 0.3 + i / 8 * 1.8);
+        Vec2 const corners[] = {low, low + Vec2(1, 0), low + Vec2(1, 0.6), low + Vec2(0, 0.6)};
+        for (int k = 0; k < 4; ++k) brick.curves.push_back(geometry::Segment{corners[k], corners[(k + 1) % 4]});
+        brick.closed = true;
+        level.outlines.push_back(brick);
+    }
+    geometry::Box const sight{Vec2(4, 2), Vec2(9, 6)};
+    view::Ground const whole = view::ground_of(level);
+    std::vector<view::Patch> wanted;
+    for (view::Patch const& patch : whole.patches)
+        if (geometry::overlap(sight, patch.box)) wanted.push_back(patch);
+    REQUIRE(wanted.size() > 10);
+    REQUIRE(wanted.size() < whole.patches.size());
+    view::LazyGround const lazy(level);
+    for (int time = 0; time < 2; ++time) {  // made, and found made
+        std::vector<view::Patch> const seen = lazy.within(sight).patches;
+        REQUIRE(seen.size() == wanted.size());
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            CHECK(seen[i].cover == wanted[i].cover);
+            CHECK(seen[i].rings == wanted[i].rings);
+        }
+    }
+    // All earth lies below all edges, and these below what grows.
+    auto const layer = [](view::Cover cover) {
+        return cover == view::Cover::earth ? 0 : cover == view::Cover::shade || cover == view::Cover::rim ? 1 : 2;
+    };
+    CHECK(std::is_sorted(whole.patches.begin(), whole.patches.end(),
+                         [&](view::Patch const& a, view::Patch const& b) { return layer(a.cover) < layer(b.cover); }));
+    CHECK(lazy.within({Vec2(100, 100), Vec2(101, 101)}).patches.empty());
 }
 
 TEST_CASE("points along an outline lie within half a millimetre of its arcs") {
