@@ -26,13 +26,6 @@ bool is_flat(Affine const& map) {
     return std::abs(determinant(map)) <= rounding * squares;
 }
 
-bool holds(geometry::Box const& outer, geometry::Box const& inner) {
-    constexpr double slack = 1e-6;  // m
-    return geometry::overlap(outer, inner) && inner.low.x() >= outer.low.x() - slack &&
-           inner.low.y() >= outer.low.y() - slack && inner.high.x() <= outer.high.x() + slack &&
-           inner.high.y() <= outer.high.y() + slack;
-}
-
 std::string what_to_do_with(std::string_view tag) {
     if (tag == "text") return "; make it a path first (Inkscape: Path > Object to Path)";
     if (tag == "image") return "; draw its outline, or trace it (Inkscape: Path > Trace Bitmap)";
@@ -157,8 +150,8 @@ void Elements::read_terrain(Element const& element) {
     else if (traced_shape.dropped > 0)
         warn(element, "pieces without length are dropped, " + std::to_string(traced_shape.dropped) + " of them");
 
-    if (auto const& shown_part = element.context.shown)
-        if (!traced_shape.outlines.empty() && !holds(*shown_part, box_of(traced_shape.outlines)))
+    if (auto const& sight = element.context.sight)
+        if (!traced_shape.outlines.empty() && !holds(*sight, traced_shape.outlines))
             warn(element, "reaches out of its svg, where browsers cut it off; it counts whole");
 
     int const surface = static_cast<int>(reading_.surfaces.size());

@@ -1,6 +1,7 @@
 // What each element of a drawing becomes: terrain, ball, banana, goal or decoration.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "level/attributes.h"
 #include "level/document.h"
+#include "level/in_sight.h"
 #include "level/limits.h"
 #include "level/outlines.h"
 #include "level/paints.h"
@@ -29,7 +31,7 @@ struct Context {
     std::optional<Role> role;            // of the nearest group that has one
     bool grass = false;                  // terrain is asked to be grass and soil, however it is painted
     ReferenceBox viewport;               // what per cent are of
-    std::optional<geometry::Box> shown;  // m, what a nested svg shows of it
+    std::shared_ptr<Sight const> sight;  // what nested svg elements leave in sight; none: all
     Copy copy = Copy::none;
     std::string_view id;  // of a copy, that of its use
 };

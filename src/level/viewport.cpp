@@ -55,7 +55,8 @@ std::optional<Viewport> viewport_of(pugi::xml_node node, pugi::xml_node use, Vec
     if (!(size.x() > 0 && size.y() > 0)) return std::nullopt;
     Affine const placed_at{1, 0, 0, 1, place.x(), place.y()};
     pugi::xml_attribute const given = node.attribute("viewBox");
-    if (!given) return Viewport{placed_at, size, Vec2::Zero()};
+    geometry::Box const shown{place, place + size};
+    if (!given) return Viewport{placed_at, size, shown};
     auto const box = parsed_list(given.value());
     if (!box || box->size() != 4) throw Broken("viewBox must be four finite numbers, got " + quoted(given.value()));
     if ((*box)[2] < 0 || (*box)[3] < 0)
@@ -63,7 +64,7 @@ std::optional<Viewport> viewport_of(pugi::xml_node node, pugi::xml_node use, Vec
     if ((*box)[2] == 0 || (*box)[3] == 0) return std::nullopt;
     return Viewport{composed(placed_at, fitted(*box, size, node.attribute("preserveAspectRatio").value())),
                     {(*box)[2], (*box)[3]},
-                    {(*box)[0], (*box)[1]}};
+                    shown};
 }
 
 }  // namespace level

@@ -5,14 +5,15 @@
 
 #include <pugixml.hpp>
 
+#include "geometry/curve.h"
 #include "level/transform.h"
 
 namespace level {
 
 struct Viewport {
-    Affine map;                  // from inside to the units around it
-    Vec2 size = Vec2::Zero();    // inside, what per cent are of
-    Vec2 corner = Vec2::Zero();  // inside, of what is shown
+    Affine map;                // from inside to the units around it
+    Vec2 size = Vec2::Zero();  // inside, what per cent are of
+    geometry::Box shown;       // in the units around it, what browsers cut what overflows to
 };
 
 // The viewport that `node`, an svg or a symbol, opens within one of the size `around`; a use that refers to it may set

@@ -177,17 +177,13 @@ bool Walk::enter_viewport(pugi::xml_node node, pugi::xml_node use, Context& cont
             warn(node, "shows nothing: its width, height and viewBox must be greater than 0");
             return false;
         }
+        std::string_view const overflow = context.style.overflow;
+        if (!same_word(overflow, "visible") && !same_word(overflow, "auto")) {
+            Sight const own = sight_of(viewport->shown, context.to_world);
+            context.sight = std::make_shared<Sight const>(context.sight ? common_part(own, *context.sight) : own);
+        }
         context.to_world = composed(context.to_world, viewport->map);
         context.viewport = {Vec2::Zero(), viewport->size};
-        std::string_view const overflow = context.style.overflow;
-        if (same_word(overflow, "visible") || same_word(overflow, "auto")) return true;
-        geometry::Box shown;
-        for (Vec2 const& share : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
-            Vec2 const corner = mapped(context.to_world, viewport->corner + Vec2(share.x() * viewport->size.x(),
-                                                                                 share.y() * viewport->size.y()));
-            shown = geometry::united(shown, {corner, corner});
-        }
-        context.shown = shown;
         return true;
     } catch (Broken const& broken) {
         fault(node, broken.what());

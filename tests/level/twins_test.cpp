@@ -283,6 +283,27 @@ TEST_CASE("a nested svg shows its viewBox in its place") {
     CHECK(nested("x='25%' width='50%' height='4' viewBox='0 0 8 4'", "M4 1H8") == "");
     CHECK(warnings_of(with("<svg x='9' y='5' width='2' height='2'>" + line + "</svg>")) ==
           "3: terrain: reaches out of its svg, where browsers cut it off; it counts whole");
+    // Seen is the place of the svg, not its viewBox, as it is turned, and within the place of every svg around it.
+    auto const is_cut = [&](std::string const& how, std::string const& shape) {
+        return warnings_of(with("<svg " + how + "><path class='terrain' d='" + shape + "'/></svg>"))
+                   .find("reaches out of its svg") != std::string::npos;
+    };
+    std::string const wide = "x='4' y='4' width='8' height='4' viewBox='0 0 4 4' ";
+    CHECK(!is_cut(wide, "M-2 1H6"));
+    CHECK(is_cut(wide, "M-2.1 1H6"));
+    CHECK(!is_cut(wide + "preserveAspectRatio='xMidYMid slice'", "M0 1.1H4"));
+    CHECK(is_cut(wide + "preserveAspectRatio='xMidYMid slice'", "M0 .9H4"));
+    std::string const turned = "x='8' y='4' width='2' height='2' transform='rotate(45 9 5)'";
+    CHECK(!is_cut(turned, "M0 0H2V2H0z"));
+    CHECK(is_cut(turned, "M1 1L2 0L2.1 -.1"));
+    CHECK(!is_cut(turned, "M0 1A1 1 0 0 1 2 1"));
+    CHECK(is_cut(turned, "M0 1A1 1.1 0 0 1 2 1"));
+    auto const within_two = [&](std::string const& shape) {
+        return warnings_of(with("<svg width='4' height='4'><svg x='3' width='4' height='2'><path class='terrain' d='" +
+                                shape + "'/></svg></svg>"));
+    };
+    CHECK(within_two("M0 1H1") == "");
+    CHECK(within_two("M0 1H1.1") == "3: terrain: reaches out of its svg, where browsers cut it off; it counts whole");
     CHECK(fault_of(with("<svg viewBox='0 0 1'/>")) == ":3: svg: viewBox must be four finite numbers, got 0 0 1");
 }
 
