@@ -17,9 +17,14 @@ bool is_data(std::string_view name) { return name.substr(0, 5) == "data-"; }
 
 void Elements::inspect_class(pugi::xml_node node, std::string const& name) {
     for (std::string_view const word : words_of(node.attribute("class").value()))
-        if (auto const role = near_miss(word))
-            reading_.report.warn_always(document_.line_of(node),
-                                        name + ": class " + quoted(word) + " is a letter away from " + name_of(*role));
+        if (auto const role = near_miss(word)) {
+            std::string const wanted = name_of(*role);
+            bool const in_capitals = same_word(word, wanted) && word.substr(1) != wanted.substr(1);
+            reading_.report.warn_always(
+                document_.line_of(node),
+                name + ": class " + quoted(word) +
+                    (in_capitals ? " gives no role, in small letters it is " : " is a letter away from ") + wanted);
+        }
 }
 
 // A role typed where it has no effect, with the way to where it has one.

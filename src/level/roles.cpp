@@ -58,7 +58,7 @@ std::optional<Role> near_miss(std::string_view word) {
     for (Role const role : every_role)
         if (word == name_of(role)) return std::nullopt;
     for (Role const role : every_role)
-        if (is_one_letter_away(word, name_of(role))) return role;
+        if (is_one_letter_away(word, name_of(role)) || same_word(word, name_of(role))) return role;
     return std::nullopt;
 }
 

@@ -71,6 +71,8 @@ TEST_CASE("words and attributes that were perhaps meant otherwise") {
     CHECK(warnings_of(with("<line class='terrian' stroke='red'" + line)) ==
           "3: line: class terrian is a letter away from terrain");
     CHECK(warnings_of(with("<line class='Terrain'" + line)) == "3: line: class Terrain is a letter away from terrain");
+    CHECK(warnings_of(with("<line class='TERRAIN'" + line)) ==
+          "3: line: class TERRAIN gives no role, in small letters it is terrain");
     CHECK(warnings_of(with("<circle class='balls' r='1'/>")) == "3: circle: class balls is a letter away from ball");
     CHECK(warnings_of(with("<circle class='banan' r='1'/>")) == "3: circle: class banan is a letter away from banana");
     CHECK(warnings_of(with("<line class='terrain grass st0'" + line)) == "");
