@@ -71,6 +71,23 @@ TEST_CASE("every shipped level asks for a time and says what to do") {
     }
 }
 
+TEST_CASE("the hole of Snowballs holds a snowball, and the player's ball is lost in it") {
+    auto level = level::read_level(ASSETS "/levels/18-snowballs.svg");
+    std::size_t const player = static_cast<std::size_t>(level.player), snowball = player + 1;
+    double const slot = 11.835;  // m, the middle of the leftmost gap between the bars, whose tops are at 1.575 m
+    auto const dropped = [&](std::size_t ball) {
+        level::Level changed = level;
+        changed.scene.balls[ball].start.position = {slot, 3};
+        auto session = session_of(std::make_shared<level::Level const>(changed));
+        game::advance(session, 10);
+        return session;
+    };
+    CHECK(dropped(player).fall_time);
+    game::Session const session = dropped(snowball);
+    CHECK(physics::state_at(session.history, static_cast<int>(snowball), 10).position.y() ==
+          doctest::Approx(1.7).epsilon(0.05));
+}
+
 TEST_CASE("every shipped level has a run of its name that wins gold and ends as it claims") {
     for (files::path const& file : shipped_levels()) {
         CAPTURE(file.filename().string());
