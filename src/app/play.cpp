@@ -74,7 +74,11 @@ void fit(PlayGame& game, screen::Window const& window) {
     game.size = Vec2(std::max(extent.width, 1), std::max(extent.height, 1));
 }
 
-void loop(PlayGame& game, Tour& tour, screen::Window& window, PlaySound& sound) {
+void loop(PlayGame& game, Tour& tour, screen::Window& window, PlayOptions const& options) {
+    // Before what takes time: sound and gamepads come after it.
+    fit(game, window);
+    window.present(tour.picker ? picture_of(game, *tour.picker) : picture_of(game, camera_of(game)));
+    PlaySound sound = options.no_sound ? PlaySound(std::nullopt) : PlaySound();
     Cursors cursors;
     Pads pads;
     PlayFilm film;
@@ -127,9 +131,7 @@ int play(PlayOptions const& options) {
     settings.title = title_of(game);
     screen::Window window(settings);
     if (options.fullscreen) window.toggle_fullscreen();
-    std::unique_ptr<PlaySound> const sound =
-        options.no_sound ? std::make_unique<PlaySound>(std::nullopt) : std::make_unique<PlaySound>();
-    loop(game, tour, window, *sound);
+    loop(game, tour, window, options);
     return done;
 }
 

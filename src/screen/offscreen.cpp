@@ -11,11 +11,10 @@
 #include "screen/mesa.h"
 
 namespace screen {
-namespace {
 
 // Painting on the calling thread alone gives the most pictures a second when each thread has a context of its own.
 // Mesa looks at this once, at its first context.
-void prepare_process() {
+void prepare_offscreen() {
     static std::once_flag once;
     std::call_once(once, [] {
         setenv("LP_NUM_THREADS", "0", 0);
@@ -23,8 +22,10 @@ void prepare_process() {
     });
 }
 
+namespace {
+
 OSMesaContext new_context() {
-    prepare_process();
+    prepare_offscreen();
     std::array<int, 11> const wanted{OSMESA_FORMAT,
                                      OSMESA_RGBA,
                                      OSMESA_PROFILE,

@@ -9,6 +9,10 @@
 
 namespace screen {
 
+// Sets what the process needs before its first context. Called before a thread makes one while others run: it changes
+// the environment.
+void prepare_offscreen();
+
 // One for each thread gives the most pictures a second. May be made, used and destroyed on different threads, by one
 // at a time. Throws std::runtime_error when there is no software OpenGL 3.3.
 class Offscreen {

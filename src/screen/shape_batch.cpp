@@ -94,6 +94,11 @@ std::array<float, 4> floats(Colour const& colour) {
     return {unit(colour.red), unit(colour.green), unit(colour.blue), unit(colour.alpha)};
 }
 
+view::Livery livery_of(view::Shell const& shell) {
+    auto const count = static_cast<int>(liveries.size());
+    return shell.own.value_or(liveries[static_cast<std::size_t>((shell.livery % count + count) % count)]);
+}
+
 void add_shape(Batch& batch, view::Sky const& sky, Box const& box, int height) {
     Quad quad = coloured(sky.top);
     quad.second_colour = floats(sky.bottom);
@@ -162,9 +167,7 @@ void add_shape(Batch& batch, view::Panel const& panel) {
 
 void add_shape(Batch& batch, view::Shell const& shell) {
     if (!(shell.radius > 0)) return;
-    auto const count = static_cast<int>(liveries.size());
-    auto const& shared = liveries[static_cast<std::size_t>((shell.livery % count + count) % count)];
-    view::Livery const livery = shell.own.value_or(shared);
+    view::Livery const livery = livery_of(shell);
     double const brightness = geometry::length(shell.light), reach = shell.radius + fringe;
     Vec2 const light = brightness > 0 ? Vec2(shell.light / brightness) : Vec2(0, -1);
     Quad quad = coloured(livery.upper);

@@ -39,6 +39,8 @@ struct Batch {
 // A box given by two corners.
 std::array<float, 8> upright(double left, double top, double right, double bottom);
 std::array<float, 4> floats(view::Colour const& colour);
+// Its own colours, or those of its number.
+view::Livery livery_of(view::Shell const& shell);
 
 // A box of the sky of a picture so high, pixels.
 void add_shape(Batch& batch, view::Sky const& sky, Box const& box, int height);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -11,7 +12,9 @@
 
 #include "screen/gl_table.h"
 #include "screen/graphics_card.h"
+#include "screen/heap.h"
 #include "screen/offscreen.h"
+#include "screen/plain_painter.h"
 #include "screen/window_parts.h"
 
 namespace screen {
@@ -27,6 +30,14 @@ bool is_software(std::string_view renderer) {
     return false;
 }
 
+// Paints the picture once, so that the programs for what is in it are compiled.
+Offscreen offscreen_for(view::Picture const& picture) {
+    prepare_heap_of_thread();
+    Offscreen offscreen(ChannelOrder::bgra);
+    offscreen.paint(picture);
+    return offscreen;
+}
+
 }  // namespace
 
 struct Window::Body {
@@ -35,6 +46,9 @@ struct Window::Body {
     std::optional<GlContext> gl;
     std::optional<Painter> painter;      // in gl
     std::optional<Offscreen> offscreen;  // where there is no gl
+    std::optional<PlainPainter> plain;   // until that is there
+    std::future<Offscreen> coming;       // made by another thread, since OSMesa takes long to load, with its compiler
+    bool is_shown = false;
     std::string renderer_name;
     Clock::time_point shown = Clock::now();
 
@@ -44,6 +58,7 @@ struct Window::Body {
 
     bool start_gl(WindowSettings const& settings);
     void start_software(WindowSettings const& settings);
+    Pixels const& painted(view::Picture const& picture);
     void show_software(view::Picture const& picture);
     Extent extent() const;
     double refresh_rate() const;
@@ -77,8 +92,9 @@ bool Window::Body::start_gl(WindowSettings const& settings) {
 void Window::Body::start_software(WindowSettings const& settings) {
     // SDL would show a surface through OpenGL, which shares its idea of the current context with OSMesa.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+    prepare_offscreen();
     window = open_window(settings, 0);
-    offscreen.emplace(ChannelOrder::bgra);
+    plain.emplace(ChannelOrder::bgra);
     renderer_name = "software, OSMesa";
 }
 
@@ -98,19 +114,31 @@ double Window::Body::refresh_rate() const {
     return told ? mode.refresh_rate : usual_refresh_rate;
 }
 
+Pixels const& Window::Body::painted(view::Picture const& picture) {
+    if (coming.valid() && coming.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        offscreen.emplace(coming.get());
+        plain.reset();
+    }
+    return offscreen ? offscreen->paint(picture) : plain->paint(picture);
+}
+
 void Window::Body::show_software(view::Picture const& picture) {
-    Pixels const& pixels = offscreen->paint(picture);
+    Pixels const& pixels = painted(picture);
     auto* const bytes = const_cast<std::uint8_t*>(pixels.rgba.data());
-    SdlSurface const painted(SDL_CreateRGBSurfaceWithFormatFrom(bytes, pixels.width, pixels.height, 32,
-                                                                4 * pixels.width, SDL_PIXELFORMAT_BGRA32));
+    SdlSurface const image(SDL_CreateRGBSurfaceWithFormatFrom(bytes, pixels.width, pixels.height, 32, 4 * pixels.width,
+                                                              SDL_PIXELFORMAT_BGRA32));
     SDL_Surface* const surface = SDL_GetWindowSurface(window.get());
-    if (!painted || !surface) throw std::runtime_error(std::string("the window cannot be painted: ") + SDL_GetError());
-    SDL_SetSurfaceBlendMode(painted.get(), SDL_BLENDMODE_NONE);
+    if (!image || !surface) throw std::runtime_error(std::string("the window cannot be painted: ") + SDL_GetError());
+    SDL_SetSurfaceBlendMode(image.get(), SDL_BLENDMODE_NONE);
     // The window may have been resized since the picture was laid out: the next one will fit.
     bool const fits = surface->w == pixels.width && surface->h == pixels.height;
-    int const blitted = fits ? SDL_BlitSurface(painted.get(), nullptr, surface, nullptr)
-                             : SDL_BlitScaled(painted.get(), nullptr, surface, nullptr);
+    int const blitted = fits ? SDL_BlitSurface(image.get(), nullptr, surface, nullptr)
+                             : SDL_BlitScaled(image.get(), nullptr, surface, nullptr);
     if (blitted == 0) SDL_UpdateWindowSurface(window.get());
+    // From the second picture on: while a library is being loaded no other can be, and after the first one sound and
+    // gamepads are.
+    if (plain && std::exchange(is_shown, true) && !coming.valid())
+        coming = std::async(std::launch::async, offscreen_for, picture);
 }
 
 // Where the display does not make us wait, the clock does.

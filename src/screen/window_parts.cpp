@@ -20,7 +20,12 @@ Display::Display() {
     // Our own handling of SIGINT and SIGTERM stays in place.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     // Without the folder of Wayland's socket its library would complain on our stderr; SDL_VIDEODRIVER still wins.
-    if (!std::getenv("XDG_RUNTIME_DIR")) SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,kmsdrm");
+    bool const in_session = std::getenv("XDG_RUNTIME_DIR") != nullptr;
+    if (!in_session) SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,kmsdrm");
+    // Outside of a session SDL's search for a message bus would start one, which takes longer than all the rest.
+    if (!in_session) setenv("DBUS_SESSION_BUS_ADDRESS", "disabled:", 0);
+    // Nothing is written in words: X need not read how all of Unicode is composed.
+    setenv("XCOMPOSEFILE", "/dev/null", 0);
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) throw no_display();
     // Without a display SDL may pick a driver that shows nothing.
     char const* const name = SDL_GetCurrentVideoDriver();
