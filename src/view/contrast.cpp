@@ -13,6 +13,7 @@ namespace {
 
 constexpr double round = 2 * 3.14159265358979;
 constexpr Colour black = colour(0x000000), white = colour(0xffffff);
+constexpr double least_ratio = 4.5;      // of letters to their plate (WCAG 2.1)
 constexpr float plate_alpha = 0.6f;      // a panel that hides at least so much is a plate for letters
 constexpr float veil_alpha = 0.75f;      // of what darkens the whole picture
 constexpr double sign_spacing = 0.45;    // m along a curve, from sign to sign
@@ -30,6 +31,19 @@ double luminance(Colour const& c) {
 
 Colour letters_on(Colour const& plate) {
     return contrast_ratio(plate, white) >= contrast_ratio(plate, black) ? white : black;
+}
+
+// The same hue, as far towards black or white as it takes to be read.
+Colour deepened(Colour const& colour, Colour const& plate) {
+    Colour const end = letters_on(plate);
+    constexpr int steps = 16;
+    for (int i = 0; i < steps; ++i) {
+        float const share = static_cast<float>(i) / steps;
+        auto const mixed = [&](float from, float to) { return from + share * (to - from); };
+        Colour const tried{mixed(colour.red, end.red), mixed(colour.green, end.green), mixed(colour.blue, end.blue), 1};
+        if (contrast_ratio(plate, tried) >= least_ratio) return tried;
+    }
+    return end;
 }
 
 bool holds(Panel const& panel, Vec2 const& place) {
@@ -122,7 +136,7 @@ double contrast_ratio(Colour const& a, Colour const& b) {
     return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
-std::vector<Shape> in_high_contrast(std::vector<Shape> shapes) {
+std::vector<Shape> in_high_contrast(std::vector<Shape> shapes, Hue hue) {
     std::vector<Shape> result;
     std::vector<Panel> plates;
     for (Shape& shape : shapes) {
@@ -138,7 +152,13 @@ std::vector<Shape> in_high_contrast(std::vector<Shape> shapes) {
         } else if (auto* label = std::get_if<Label>(&shape)) {
             auto const plate =
                 std::find_if(plates.rbegin(), plates.rend(), [&](Panel const& one) { return holds(one, label->at); });
-            if (plate != plates.rend()) label->colour = faded(letters_on(plate->colour), label->colour.alpha);
+            if (plate == plates.rend()) {
+                result.emplace_back(std::move(shape));
+                continue;
+            }
+            Colour const& paper = plate->colour;
+            label->colour =
+                faded(hue == Hue::kept ? deepened(label->colour, paper) : letters_on(paper), label->colour.alpha);
         }
         result.emplace_back(std::move(shape));
     }

@@ -52,7 +52,8 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     if (is_high) append(shapes, actor_outlines(level, moment, camera));
     append(shapes, pick_shapes(level, moment, camera));
     append(shapes, spring_shapes(level, moment, camera));
-    append(shapes, overlay_shapes(level, moment, camera, dressing.overlays, dressing.ending.language));
+    std::vector<Shape> overlays = overlay_shapes(level, moment, camera, dressing.overlays, dressing.ending.language);
+    append(shapes, is_high ? in_high_contrast(std::move(overlays), Hue::kept) : std::move(overlays));
     if (dressing.lettering == Lettering::none) return picture;
     auto const append_written = [&](std::vector<Shape> more) {
         append(shapes, is_high ? in_high_contrast(std::move(more)) : std::move(more));

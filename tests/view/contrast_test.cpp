@@ -64,6 +64,23 @@ Pattern pattern_of(physics::Material const& material) {
 
 }  // namespace
 
+TEST_CASE("in high contrast a name that a colour joins to a thing keeps its hue, and can be read") {
+    Colour const orange{0.95F, 0.55F, 0.15F, 1}, paper{1, 1, 0.96F, 0.88F};
+    auto const shapes =
+        view::in_high_contrast({view::Panel{{0, 0}, {100, 50}, 8, paper}, view::Label{{10, 20}, 16, "spring", orange},
+                                view::Label{{10, 40}, 16, "all", {0.1F, 0.1F, 0.1F, 1}}},
+                               view::Hue::kept);
+    auto const worst = worst_of(shapes);
+    CHECK(worst.labels == 2);
+    CHECK(worst.ratio >= readable);
+    std::vector<Colour> letters;
+    for (view::Shape const& shape : shapes)
+        if (auto const* label = std::get_if<view::Label>(&shape)) letters.push_back(label->colour);
+    CHECK(letters.at(0).red > letters.at(0).green);
+    CHECK(letters.at(0).green > letters.at(0).blue);
+    CHECK(letters.at(1).red == 0.1F);  // that could be read before
+}
+
 TEST_CASE("the contrast of two colours is that of WCAG 2.1") {
     CHECK(view::contrast_ratio(view::colour(0xffffff), view::colour(0x000000)) == doctest::Approx(21));
     CHECK(view::contrast_ratio(view::colour(0x808080), view::colour(0x808080)) == doctest::Approx(1));
