@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "app/assets.h"
 #include "app/play_settings.h"
@@ -20,10 +21,13 @@ bool is_same_file(std::string const& a, std::string const& b) {
 }
 
 void play_choice(PlayGame& game, Tour& tour, screen::Window& window) {
-    std::size_t const chosen = tour.picker->chosen;
-    tour.picker.reset();
-    tour.at = chosen;
+    std::size_t const before = std::exchange(tour.at, tour.picker->chosen);
     go_to_level(game, tour, 0, window);
+    // What is wrong with a broken level is told over the levels, where another one can be chosen.
+    if (game.file == tour.files[tour.at])
+        tour.picker.reset();
+    else
+        tour.at = before;
 }
 
 // The first level without a best time, else the first.

@@ -698,6 +698,20 @@ class Window(ProgramTest):
         self.assertEqual(middle("by system"), middle("by choice"))
         self.assertEqual(middle("english"), middle("against system"))
 
+    def test_a_broken_level_of_a_folder_is_told_and_the_rest_plays(self):
+        self.file("levels/a.svg", RED_FLOOR)
+        self.file("levels/b.svg", RED_FLOOR.replace('r="0.5"', 'r="-1"'))
+        self.file("levels/c.svg", RED_FLOOR.replace("#f00", "#00f"))
+        self.display = Display(self)
+        self.play(self.folder / "levels")
+        self.press_key("Right")
+        self.press_key("Return")
+        self.assertIn(b"b.svg:3: ball: r must be greater than 0, got -1", self.game.stderr.readline())
+        self.press_key("Right")
+        self.press_key("Return")
+        self.until_colour(0x0000ff)
+        self.close()
+
     def test_closing_the_window_ends_the_program(self):
         self.open("software")
         self.pointer("key", "--window", self.window, "q")
