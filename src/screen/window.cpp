@@ -92,9 +92,14 @@ bool Window::Body::start_gl(WindowSettings const& settings) {
 void Window::Body::start_software(WindowSettings const& settings) {
     // SDL would show a surface through OpenGL, which shares its idea of the current context with OSMesa.
     SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-    prepare_offscreen();
     window = open_window(settings, 0);
-    plain.emplace(ChannelOrder::bgra);
+    // Who asks for it by name has it from the first picture on.
+    if (settings.renderer == Renderer::software) {
+        offscreen.emplace(ChannelOrder::bgra);
+    } else {
+        prepare_offscreen();
+        plain.emplace(ChannelOrder::bgra);
+    }
     renderer_name = "software, OSMesa";
 }
 

@@ -9,7 +9,7 @@
 namespace screen {
 
 enum class Renderer {
-    automatic,  // OpenGL if a graphics card does it, else software
+    automatic,  // OpenGL if a graphics card does it, else plain loops until there is software
     gl,
     software  // OSMesa's pixels shown in a plain window
 };

@@ -712,6 +712,14 @@ class Window(ProgramTest):
         self.until_colour(0x0000ff)
         self.close()
 
+    def test_the_first_pictures_are_followed_by_a_renderers(self):
+        self.open("auto")
+        self.assertTrue(len(set(self.screenshot())) > 50)
+        loaded = lambda: any(name in Path(f"/proc/{self.game.pid}/maps").read_text() for name in ("OSMesa", "libGL"))
+        until(loaded, "a renderer", self.game)
+        self.save()
+        self.close()
+
     def test_closing_the_window_ends_the_program(self):
         self.open("software")
         self.pointer("key", "--window", self.window, "q")
