@@ -188,6 +188,11 @@ bool is_left_behind(ContactPoint const& point, Vec2 const& velocity, Vec2 const&
 std::vector<ContactPoint> kept_apart(std::vector<ContactPoint> const& all, Vec2 const& velocity,
                                      Vec2 const& acceleration, double rounding) {
     std::vector<ContactPoint> chosen;
+    // Where all that share the normal end: the ball goes on from one to the other, or is held between them.
+    struct Ends {
+        bool forwards, backwards;
+    };
+    std::vector<Ends> ends;
     auto const better = [&](ContactPoint const& a, ContactPoint const& b) {
         bool const a_behind = is_left_behind(a, velocity, acceleration, rounding);
         bool const b_behind = is_left_behind(b, velocity, acceleration, rounding);
@@ -198,10 +203,18 @@ std::vector<ContactPoint> kept_apart(std::vector<ContactPoint> const& all, Vec2 
         auto const same = std::find_if(chosen.begin(), chosen.end(), [&](ContactPoint const& other) {
             return geometry::length(other.normal - point.normal) <= same_normal;
         });
-        if (same == chosen.end())
+        if (same == chosen.end()) {
             chosen.push_back(point);
-        else if (better(point, *same))
-            *same = point;
+            ends.push_back({point.ends_forwards, point.ends_backwards});
+            continue;
+        }
+        Ends& of_all = ends[static_cast<std::size_t>(same - chosen.begin())];
+        of_all = {of_all.forwards && point.ends_forwards, of_all.backwards && point.ends_backwards};
+        if (better(point, *same)) *same = point;
+    }
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        chosen[i].ends_forwards = ends[i].forwards;
+        chosen[i].ends_backwards = ends[i].backwards;
     }
     return chosen;
 }

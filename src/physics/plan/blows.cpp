@@ -18,8 +18,9 @@ namespace {
 
 // Speeds along a normal below this share of the ball's speeds are rounding.
 constexpr double resolve_rounding = 1e-12;
-// Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series.
-constexpr int most_blows = 200;
+// Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series. Across a socket, which
+// is touched all round, they go to and fro as if it had no play.
+constexpr int most_blows = 200, most_blows_in_socket = 20;
 // Closing speeds that differ by less than this share are equal.
 constexpr double equal_speeds = 1e-9;
 // What the caller knows to be touched lies within this of the ball's way, in m, or its place is another.
@@ -116,12 +117,13 @@ void choose_supports(MotionContext const& context, Struck& struck) {
 void strike_all(MotionContext const& context, Struck& struck) {
     bool const in_socket = std::any_of(struck.touched.begin(), struck.touched.end(),
                                        [](ContactPoint const& s) { return s.normals_turn != 0; });
+    int const most = in_socket ? most_blows_in_socket : most_blows;
     for (int blow = 0;; ++blow) {
         // A socket pushes against the velocity there is.
         if (in_socket && blow > 0) choose_supports(context, struck);
         std::vector<std::size_t> const closing = closing_supports(context, struck);
         if (closing.empty()) return;
-        if (blow == most_blows) break;
+        if (blow == most) break;
         if (closing.size() > 1 && (closing.size() == 2 || are_equal(struck, closing[0], closing[1])) &&
             strike_both(context, struck, closing[0], closing[1]))
             continue;

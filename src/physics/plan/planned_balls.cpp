@@ -50,8 +50,10 @@ bool PlannedBalls::watched(int i) {
         plan.frame_count = 0;
     }
     ++plan.frame_count;
-    plan.watch_mixed = plan.watch_mixed || plan.end.next != plan.watch_contact;
-    plan.watch_elastic = plan.watch_elastic || is_elastic(plan.end.next);
+    Contact const contact = plan.end.next;
+    bool const in_socket = contact.feature >= 0 && !fits(scene_.terrain, contact, scene_.balls[i].radius);
+    plan.watch_mixed = plan.watch_mixed || contact != plan.watch_contact || in_socket;
+    plan.watch_elastic = plan.watch_elastic || is_elastic(contact);
     return ++plan.watch_count <= watch_events;
 }
 
