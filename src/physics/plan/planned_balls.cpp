@@ -6,13 +6,24 @@
 
 namespace physics {
 
+namespace {
+
+// Whether it does: after `span`, s.
+bool begins_anew(Tally& tally, double time, double span) {
+    if (time - tally.since <= span) return false;
+    tally = {time, 0};
+    return true;
+}
+
+}  // namespace
+
 MotionContext PlannedBalls::context(int i) const {
     Field const field = field_on(scene_, world_.forces, i);
     BallPlan const& plan = world_.plans[i];
     bool const has_a_limit = !field.pulled && !plan.watch_mixed && !plan.watch_elastic;
     int const most = plan.watch_mixed ? crowd_events : crowd_events / 2;
-    bool const crowded = alone_ && (plan.watch_count > most || plan.frame_count > frame_events) && !has_a_limit;
-    return {scene_.terrain, scene_.balls[i], field, crowded, alone_ && plan.frame_count > many_events};
+    bool const crowded = alone_ && (plan.watch.count > most || plan.frame.count > frame_events) && !has_a_limit;
+    return {scene_.terrain, scene_.balls[i], field, crowded, alone_ && plan.frame.count > many_events};
 }
 
 void PlannedBalls::tell(EventKind kind, int i, State const& state, Contact contact) {
@@ -38,23 +49,18 @@ void PlannedBalls::take(int i, Transition const& transition) {
 
 bool PlannedBalls::watched(int i) {
     BallPlan& plan = world_.plans[i];
-    if (world_.time - plan.watch_since > watch_span) {
-        plan.watch_since = world_.time;
-        plan.watch_count = 0;
-        plan.watch_contact = plan.end.next;
+    Contact const contact = plan.end.next;
+    if (begins_anew(plan.watch, world_.time, watch_span)) {
+        plan.watch_contact = contact;
         plan.watch_mixed = false;
         plan.watch_elastic = false;
     }
-    if (world_.time - plan.frame_since > frame_span) {
-        plan.frame_since = world_.time;
-        plan.frame_count = 0;
-    }
-    ++plan.frame_count;
-    Contact const contact = plan.end.next;
+    begins_anew(plan.frame, world_.time, frame_span);
+    ++plan.frame.count;
     bool const in_socket = contact.feature >= 0 && !fits(scene_.terrain, contact, scene_.balls[i].radius);
     plan.watch_mixed = plan.watch_mixed || contact != plan.watch_contact || in_socket;
     plan.watch_elastic = plan.watch_elastic || is_elastic(contact);
-    return ++plan.watch_count <= watch_events;
+    return ++plan.watch.count <= watch_events;
 }
 
 bool PlannedBalls::is_elastic(Contact contact) const {
@@ -65,28 +71,19 @@ bool PlannedBalls::is_elastic(Contact contact) const {
 // they stall.
 bool PlannedBalls::stalls(int i) {
     BallPlan& plan = world_.plans[i];
-    if (world_.time - plan.stall_since > stall_span) {
-        plan.stall_since = world_.time;
-        plan.stall_count = 0;
-    }
-    if (world_.time - plan.flip_since > flip_span) {
-        plan.flip_since = world_.time;
-        plan.flip_count = 0;
-    }
+    begins_anew(plan.stall, world_.time, stall_span);
+    begins_anew(plan.flips, world_.time, flip_span);
     LegEndCause const cause = plan.end.cause;
     if (cause == LegEndCause::meets || cause == LegEndCause::settles) watched(i);
-    if (cause == LegEndCause::lifts || cause == LegEndCause::slips || cause == LegEndCause::grips) ++plan.flip_count;
-    return ++plan.stall_count > stall_events || plan.flip_count > flip_events;
+    if (cause == LegEndCause::lifts || cause == LegEndCause::slips || cause == LegEndCause::grips) ++plan.flips.count;
+    return ++plan.stall.count > stall_events || plan.flips.count > flip_events;
 }
 
 // Whether creeping takes it nowhere either.
 bool PlannedBalls::jams(int i) {
     BallPlan& plan = world_.plans[i];
-    if (world_.time - plan.creep_since > watch_span) {
-        plan.creep_since = world_.time;
-        plan.creep_count = 0;
-    }
-    return ++plan.creep_count > creep_events;
+    begins_anew(plan.creeps, world_.time, watch_span);
+    return ++plan.creeps.count > creep_events;
 }
 
 void PlannedBalls::creep(int i) {
@@ -100,9 +97,9 @@ void PlannedBalls::creep(int i) {
         state.spin = 0;
     }
     take(i, stands ? jammed(state, world_.legs[i].contact, world_.time) : creeping(context(i), state, world_.time));
-    if (plan.flip_count <= flip_events) return;
-    plan.flip_since = std::min(world_.legs[i].until, world_.time + watch_span);
-    plan.flip_count = flip_events - flips_again;
+    if (plan.flips.count <= flip_events) return;
+    plan.flips.since = std::min(world_.legs[i].until, world_.time + watch_span);
+    plan.flips.count = flip_events - flips_again;
 }
 
 PlannedBalls::Going PlannedBalls::end_leg(int i) {
@@ -149,8 +146,8 @@ bool PlannedBalls::hop(int i) {
     BallPlan const& plan = world_.plans[i];
     Contact const floor = plan.corridor.contact;
     if (plan.end.cause != LegEndCause::meets || floor.feature < 0) return false;
-    if (plan.frame_count > many_events) return false;
-    if (plan.watch_elastic && (plan.watch_count > crowd_events / 2 || plan.frame_count > frame_events)) return false;
+    if (plan.frame.count > many_events) return false;
+    if (plan.watch_elastic && (plan.watch.count > crowd_events / 2 || plan.frame.count > frame_events)) return false;
     auto const next = next_hop(plan.corridor, scene_.terrain, scene_.balls[i],
                                std::get<Ballistic>(world_.legs[i].motion), plan.end.time);
     if (next) set_out(i, next->state, no_contact, next->duration, EventKind::bounce, floor);

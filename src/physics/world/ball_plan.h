@@ -66,6 +66,12 @@ struct Corridor {
     Section here;       // where it is
 };
 
+// Events counted from a time on.
+struct Tally {
+    double since = 0;  // s
+    int count = 0;
+};
+
 struct BallPlan {
     LegEnd end;            // of the current leg
     TrackEnds track_ends;  // of the track the ball is on
@@ -74,19 +80,11 @@ struct BallPlan {
     double hit_time = never;  // s, the first meeting with another ball, or until when none was found
     int hit_ball = -1;        // -1: look again at hit_time
 
-    double watch_since = 0;  // s, events are counted from here
-    int watch_count = 0;
-    Contact watch_contact;       // the first that was met, and whether
-    bool watch_mixed = false;    // others were, or
+    Tally watch, frame;          // of what it met, within two spans (planned_balls.h)
+    Contact watch_contact;       // the first that was met since watch.since, and whether
+    bool watch_mixed = false;    // others were, or a socket, or
     bool watch_elastic = false;  // one that loses all but nothing
-    double frame_since = 0;      // s, the same over frame_span
-    int frame_count = 0;
-    double stall_since = 0;  // s, the same
-    int stall_count = 0;
-    double flip_since = 0;  // s, the same of changes between contact modes
-    int flip_count = 0;
-    double creep_since = 0;  // s, the same of creeping
-    int creep_count = 0;
+    Tally stall, flips, creeps;  // of all at one moment, of changes between contact modes, of creeping
     double jammed_at = -never;  // s, when creeping last took it nowhere
 };
 
