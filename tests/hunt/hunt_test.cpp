@@ -70,6 +70,7 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 50161},          // 28 bounces a millisecond, for ever
         {"narrow", 80058},          // at rest in the air at the end of an arc, where it jammed
         {"gaps", 93480},            // in a valley of 3e-13 rad, hops below rounding for ever
+        {"gaps", 95648},            // dropped between the feet of two lines that turn by 4e-8 rad: through
         {"narrow+player", 70987},   // between two walls as far apart as the ball is wide, 6,000 times to and fro
     };
     for (Found const& found : all) hold(physics::Exact{}, found.kind, found.seed);

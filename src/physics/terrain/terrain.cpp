@@ -16,8 +16,8 @@ double angle_of(Vec2 const& direction) { return geometry::arctangent(direction.y
 namespace {
 
 constexpr double exposed_slack = 1e-12;  // rounding of a unit vector's scalar product
-// rad: over an edge narrower than this a ball dips by less than 1e-15 r, and the reach of touch is wider than the edge
-constexpr double flat_cone = 1e-7;
+// rad: narrower an edge is not seen: the reach of touch is wider than it, for balls of up to 2 km
+constexpr double flat_cone = 1e-12;
 
 struct AngledEdge {
     double angle;  // rad
