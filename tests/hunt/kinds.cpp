@@ -72,7 +72,9 @@ Vec2 place_for(Dice& dice, Sketch const& sketch, std::vector<Vec2> const& hints)
                      : Vec2(dice.between(radius, sketch.width - radius), dice.between(radius, sketch.height - radius));
         if (is_clear(ground, place, least_distance(sketch))) return place;
     }
-    return {sketch.width / 2, sketch.height + 1.5};  // nothing was free: down from above
+    Vec2 above(sketch.width / 2, sketch.height + 1.5);  // nothing was free
+    while (!is_clear(ground, above, least_distance(sketch))) above.y() += radius;
+    return above;
 }
 
 }  // namespace
