@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "geometry/elementary.h"
 
@@ -36,16 +37,18 @@ struct Cubic {
     }
 };
 
-struct Ellipse {
-    EllipticArc arc;
+// One with its centre in the origin and its axes along x and y, where both x and y / b are not negative: of its four
+// quarters it is one, the others are its mirror images.
+struct EllipseQuarter {
+    double a = 0, b = 0;  // m, b may be negative
 
     Vec2 at(double t) const {
-        SineCosine const turn = sine_cosine(arc.from + arc.sweep * t);
-        return arc.centre + arc.first * turn.cosine + arc.second * turn.sine;
+        SineCosine const turn = sine_cosine(t);
+        return {a * turn.cosine, b * turn.sine};
     }
-    Vec2 tangent(double t, double) const {
-        SineCosine const turn = sine_cosine(arc.from + arc.sweep * t);
-        Vec2 const rate = (arc.second * turn.cosine - arc.first * turn.sine) * (arc.sweep < 0 ? -1 : 1);
+    Vec2 tangent(double t) const {
+        SineCosine const turn = sine_cosine(t);
+        Vec2 const rate(-a * turn.sine, b * turn.cosine);
         return rate / length(rate);
     }
 };
@@ -82,11 +85,11 @@ double distance_to_whole(Curve const& curve, Vec2 const& point) {
     return std::abs(cross(way, point - segment.start)) / length(way);
 }
 
-// Whether the samples lie near the pair, each near the arc on its side of the joint. What fails does so early, in the
-// middle or at a quarter.
+// Whether the samples, in sixteenths, lie near the pair, each near the arc on its side of the joint. What fails does so
+// early, in the middle or at a quarter.
 template <typename Path>
-bool stays_near(Path const& path, double low, double high, std::vector<Curve> const& pair, double tolerance) {
-    constexpr int order[] = {4, 12, 8, 2, 6, 10, 14, 1, 3, 5, 7, 9, 11, 13, 15};
+bool stays_near(Path const& path, double low, double high, std::vector<Curve> const& pair, double tolerance,
+                std::span<int const> order) {
     Vec2 const joint = end_of(pair[0]), chord = end_of(pair[1]) - start_of(pair[0]);
     for (int const i : order) {
         Vec2 const point = path.at(low + (high - low) * i / samples);
@@ -97,8 +100,7 @@ bool stays_near(Path const& path, double low, double high, std::vector<Curve> co
 }
 
 // Whether the piece turns so little that a pair of arcs can follow it without a loop or a fold.
-template <typename Path>
-bool is_gentle(Path const& path, double low, double high) {
+bool is_gentle(Cubic const& path, double low, double high) {
     Vec2 const chord = path.at(high) - path.at(low);
     Vec2 const start = path.tangent(low, 1);
     if (!(dot(chord, start) > 0 && dot(chord, path.tangent(high, -1)) > 0)) return false;
@@ -117,8 +119,8 @@ void add_tiny(Vec2 const& start, Vec2 const& end, double tiny, std::vector<Curve
         arcs.push_back(Segment{start, end});
 }
 
-template <typename Path>
-void add_arcs(Path const& path, double low, double high, double tolerance, int halvings, std::vector<Curve>& arcs) {
+void add_arcs(Cubic const& path, double low, double high, double tolerance, int halvings, std::vector<Curve>& arcs) {
+    constexpr int order[] = {4, 12, 8, 2, 6, 10, 14, 1, 3, 5, 7, 9, 11, 13, 15};
     Vec2 const start = path.at(low);
     Vec2 const end = path.at(high);
     double const middle = 0.5 * (low + high);
@@ -128,13 +130,122 @@ void add_arcs(Path const& path, double low, double high, double tolerance, int h
     if (is_tiny || halvings == most_halvings) return add_tiny(start, end, tiny, arcs);
     if (is_gentle(path, low, high)) {
         std::vector<Curve> const pair = biarc(start, path.tangent(low, 1), end, path.tangent(high, -1));
-        if (stays_near(path, low, high, pair, sampled_share * tolerance)) {
+        if (stays_near(path, low, high, pair, sampled_share * tolerance, order)) {
             arcs.insert(arcs.end(), pair.begin(), pair.end());
             return;
         }
     }
     add_arcs(path, low, middle, tolerance, halvings + 1, arcs);
     add_arcs(path, middle, high, tolerance, halvings + 1, arcs);
+}
+
+// A point of an ellipse with what its pieces need to know there.
+struct Station {
+    double t = 0;
+    Vec2 point = Vec2::Zero(), tangent = Vec2::Zero();
+};
+
+// A pair of arcs of length h leaves a curve whose curvature changes by k per metre by k h^3 / 324, farthest at a third
+// and two thirds of h; the sixteenths beside these are seen first.
+double foreseen_error(EllipseQuarter const& quarter, double middle, double chord) {
+    SineCosine const turn = sine_cosine(middle);
+    double const a = quarter.a, b = quarter.b;
+    double const square = a * a * turn.sine * turn.sine + b * b * turn.cosine * turn.cosine;  // of the rate by t
+    double const change = 3 * std::abs(a * b * (a * a - b * b) * turn.sine * turn.cosine) / (square * square * square);
+    return change * chord * chord * chord / 324;
+}
+
+// A quarter has no inflection and turns one way by no more than a right angle, so that its ends tell how far.
+void add_quarter(EllipseQuarter const& quarter, Station const& low, Station const& high, double tolerance, int halvings,
+                 std::vector<Curve>& arcs) {
+    constexpr int order[] = {5, 11, 6, 10, 3, 13, 8};
+    constexpr double hopeless = 3;  // tolerances: more than the forecast is wrong by
+    double const middle = 0.5 * (low.t + high.t);
+    double const tiny = tiny_share * tolerance;
+    double const chord = length(high.point - low.point);
+    if (chord <= tiny || halvings == most_halvings) return add_tiny(low.point, high.point, tiny, arcs);
+    bool const gentle = dot(low.tangent, high.tangent) >= smallest_agreement;
+    if (gentle && foreseen_error(quarter, middle, chord) <= hopeless * tolerance) {
+        std::vector<Curve> const pair = biarc(low.point, low.tangent, high.point, high.tangent);
+        if (stays_near(quarter, low.t, high.t, pair, sampled_share * tolerance, order)) {
+            arcs.insert(arcs.end(), pair.begin(), pair.end());
+            return;
+        }
+    }
+    Station const between{middle, quarter.at(middle), quarter.tangent(middle)};
+    add_quarter(quarter, low, between, tolerance, halvings + 1, arcs);
+    add_quarter(quarter, between, high, tolerance, halvings + 1, arcs);
+}
+
+std::vector<Curve> arcs_of_quarter(EllipseQuarter const& quarter, double low, double high, double tolerance) {
+    std::vector<Curve> arcs;
+    add_quarter(quarter, {low, quarter.at(low), quarter.tangent(low)}, {high, quarter.at(high), quarter.tangent(high)},
+                tolerance, 0, arcs);
+    return arcs;
+}
+
+void append(std::vector<Curve>& curves, std::vector<Curve> more, bool backwards) {
+    if (backwards) {
+        std::reverse(more.begin(), more.end());
+        for (Curve& curve : more) curve = reversed(curve);
+    }
+    curves.insert(curves.end(), more.begin(), more.end());
+}
+
+// Where the axes of an ellipse stand in the world.
+struct Axes {
+    Vec2 centre = Vec2::Zero();
+    Vec2 along = Vec2::Zero();  // unit
+    double turned_by = 0;       // rad
+
+    // From the frame of the axes, mirrored at one or both of them.
+    Curve placed(Curve const& curve, bool mirror_x, bool mirror_y) const {
+        auto const place = [&](Vec2 const& p) {
+            return centre + turned(Vec2(mirror_x ? -p.x() : p.x(), mirror_y ? -p.y() : p.y()), along.x(), along.y());
+        };
+        if (auto const* segment = std::get_if<Segment>(&curve))
+            return Segment{place(segment->start), place(segment->end)};
+        auto const& arc = std::get<Arc>(curve);
+        double const beyond_x = mirror_x ? pi - arc.from : arc.from;
+        double const from = mirror_y ? -beyond_x : beyond_x;
+        return Arc{place(arc.centre), arc.radius, turned_by + from, mirror_x == mirror_y ? arc.sweep : -arc.sweep};
+    }
+};
+
+// centre + first cos t + second sin t from t on, cut where its axes cut it; each part is found in the first quarter.
+std::vector<Curve> arcs_by_quarters(EllipticArc const& ellipse, double tolerance) {
+    constexpr double right_angle = pi / 2;
+    constexpr double same_angle = 1e-13;  // rad
+    Vec2 const &first = ellipse.first, &second = ellipse.second;
+    double const squares = dot(first, first) - dot(second, second), product = dot(first, second);
+    double const phase = product == 0 ? 0 : 0.5 * arctangent(2 * product, squares);  // of the longer axis
+    SineCosine const turn = sine_cosine(phase);
+    Vec2 const axis = first * turn.cosine + second * turn.sine;
+    double const a = length(axis);
+    // Not from `second`: the other axis must be square to this, and keep the area.
+    EllipseQuarter const quarter{a, cross(first, second) / a};
+    Axes const axes{ellipse.centre, axis / a, arctangent(axis.y(), axis.x())};
+
+    double const start = ellipse.from - phase, end = start + ellipse.sweep;
+    double const low = std::min(start, end), high = std::max(start, end);
+    std::vector<Curve> whole, arcs;
+    int number = static_cast<int>(std::floor(low / right_angle + same_angle));
+    for (double at = low; at < high - same_angle; ++number) {
+        double const corner = number * right_angle, next = corner + right_angle;
+        double const until = next > high - same_angle ? high : next;
+        bool const is_odd = (number & 1) != 0;
+        double const from = is_odd ? next - until : at - corner, to = is_odd ? next - at : until - corner;
+        bool const is_whole = from < same_angle && to > right_angle - same_angle;
+        if (is_whole && whole.empty()) whole = arcs_of_quarter(quarter, 0, right_angle, tolerance);
+        std::vector<Curve> part = is_whole ? whole : arcs_of_quarter(quarter, from, to, tolerance);
+        int const of_four = number & 3;
+        for (Curve& curve : part) curve = axes.placed(curve, of_four == 1 || of_four == 2, of_four >= 2);
+        append(arcs, std::move(part), is_odd);
+        at = until;
+    }
+    std::vector<Curve> result;
+    append(result, std::move(arcs), ellipse.sweep < 0);
+    return result;
 }
 
 // The real roots of c0 + c1 t + c2 t^2 within (0, 1), in order.
@@ -211,16 +322,17 @@ std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance)
     }
     if (std::abs(area) <= rounding * size * size) {
         // Seen edge-on it runs there and back on a line; the steps miss the turning points by up to 1.2e-3 of its size.
-        Ellipse const path{ellipse};
+        auto const at = [&](int step) {
+            SineCosine const turn = sine_cosine(ellipse.from + ellipse.sweep * (step / 64.0));
+            return ellipse.centre + ellipse.first * turn.cosine + ellipse.second * turn.sine;
+        };
         for (int i = 0; i < 64; ++i) {
-            Vec2 const start = path.at(i / 64.0);
-            Vec2 const end = path.at((i + 1) / 64.0);
+            Vec2 const start = at(i), end = at(i + 1);
             if (!same(start, end)) arcs.push_back(Segment{start, end});
         }
         return arcs;
     }
-    add_arcs(Ellipse{ellipse}, 0.0, 1.0, tolerance, 0, arcs);
-    return arcs;
+    return arcs_by_quarters(ellipse, tolerance);
 }
 
 }  // namespace geometry

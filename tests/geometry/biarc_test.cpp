@@ -131,6 +131,59 @@ TEST_CASE("an ellipse is followed within tolerance, a circle is one exact arc") 
     CHECK(length(end_of(circle[0]) - Vec2(2, 0)) <= 1e-15);
 }
 
+TEST_CASE("ellipses of any shape, turn and part keep within a millimetre") {
+    for (double const size : {0.3, 5.0, 50.0})
+        for (double const ratio : {0.999, 0.7, 0.2, -0.5, 0.02, -0.004})
+            for (double const from : {0.0, 0.7, -2.3, 3 * pi_half})
+                for (double const sweep : {4 * pi_half, -4 * pi_half, 2 * pi_half, -3.7, 0.3}) {
+                    CAPTURE(size);
+                    CAPTURE(ratio);
+                    CAPTURE(from);
+                    CAPTURE(sweep);
+                    // A direction of 3 : 4, so that neither axis lies on x or y.
+                    EllipticArc const part{{1, 2}, {0.6 * size, 0.8 * size}, {-0.8 * size * ratio, 0.6 * size * ratio},
+                                           from, sweep};
+                    auto const at = [&](double angle) -> Vec2 {
+                        return part.centre + std::cos(angle) * part.first + std::sin(angle) * part.second;
+                    };
+                    std::vector<Curve> const arcs = arcs_of_ellipse(part);
+                    double worst = 0;
+                    for (int i = 0; i <= 400; ++i) worst = std::max(worst, distance_to(arcs, at(from + sweep * i / 400)));
+                    CHECK(worst <= drawing_tolerance);
+                    // The other way round: no point of an arc is far from the ellipse, in units of the tolerance along
+                    // its gradient. f = (x / a)^2 + (y / b)^2 - 1 is |grad f| times the distance, to first order.
+                    double astray = 0;
+                    for (Curve const& arc : arcs)
+                        for (double share = 0; share <= 1; share += 0.125) {
+                            Vec2 const p = point_of(arc, share) - part.centre;
+                            double const a = size, b = size * ratio;
+                            double const x = 0.6 * p.x() + 0.8 * p.y(), y = -0.8 * p.x() + 0.6 * p.y();
+                            double const f = x * x / (a * a) + y * y / (b * b) - 1;
+                            astray = std::max(astray, std::abs(f) / std::hypot(2 * x / (a * a), 2 * y / (b * b)));
+                        }
+                    CHECK(astray <= 1.01 * drawing_tolerance);
+                    CHECK(widest_gap(arcs) <= joint_gap);
+                    CHECK(sharpest_joint(arcs) <= 1e-5);
+                    CHECK(length(start_of(arcs.front()) - at(from)) <= 1e-10);
+                    CHECK(length(end_of(arcs.back()) - at(from + sweep)) <= 1e-10);
+                    for (Curve const& arc : arcs) CHECK(length_of(arc) > 1e-8);
+                    CHECK(arcs.size() <= 128);
+                }
+}
+
+TEST_CASE("the four quarters of an ellipse are mirror images") {
+    std::vector<Curve> const arcs = arcs_of_ellipse({{0, 0}, {50, 0}, {0, 17}, 0, 4 * pi_half});
+    REQUIRE(arcs.size() % 4 == 0);
+    for (std::size_t i = 0; i < arcs.size() / 2; ++i) {
+        Arc const above = std::get<Arc>(arcs[i]), below = std::get<Arc>(arcs[arcs.size() - 1 - i]);
+        Arc const left = std::get<Arc>(arcs[arcs.size() / 2 - 1 - i]);
+        CHECK(above.radius == below.radius);
+        CHECK(above.centre == Vec2(below.centre.x(), -below.centre.y()));
+        CHECK(above.radius == left.radius);
+        CHECK(above.centre == Vec2(-left.centre.x(), left.centre.y()));
+    }
+}
+
 TEST_CASE("handles drawn in to their ends cost no more than others") {
     // The double root of the inflections lies on the end; a count that halving to the limit would pass a thousandfold.
     CHECK(arcs_of_cubic({11.3, 1.5}, {5.3, 1.2}, {2.1, 1.5}, {2.1, 1.5}).size() < 100);
