@@ -85,6 +85,9 @@ void Elements::inspect_look(Element const& element) {
         warn(element, "is hidden and takes part all the same");
     if (style.clipped) warn(element, "a clip path or mask has no effect on it: it counts whole");
     if (!style.ignored.empty()) warn(element, no_effect_of(style));
+    for (char const* const radius : {"rx", "ry"})
+        if (same_word(trimmed(element.node.attribute(radius).value()), "auto"))
+            warn(element, std::string(radius) + ": some browsers take auto as 0; leave it out, which means the same");
     for (pugi::xml_node const child : element.node.children()) {
         std::string_view const name = Document::tag_of(child);
         if (name == "set" || name.substr(0, 7) == "animate") warn(element, quoted(name) + " has no effect on it");

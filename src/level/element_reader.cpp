@@ -50,9 +50,15 @@ ReferenceBox Elements::reference_box(pugi::xml_node node, std::string_view tag, 
     bool const known = same_word(box, "fill-box") || same_word(box, "content-box");
     if (!known || !is_shape(tag))
         throw Broken("transform-box of " + quoted(tag) + " must be view-box, got " + quoted(box));
-    auto const outlines = traced(shape_of(node, tag, context.viewport.size), Affine{}, curve_tolerance).outlines;
-    if (outlines.empty()) return {};
-    geometry::Box const extent = box_of(outlines);
+    Shape const shape = shape_of(node, tag, context.viewport.size);
+    geometry::Box extent = box_of(traced(shape, Affine{}, curve_tolerance).outlines);
+    // Pieces without length leave no outline, and count.
+    if (auto const* subpaths = std::get_if<std::vector<Subpath>>(&shape))
+        for (Subpath const& subpath : *subpaths) {
+            extent = united(extent, {subpath.start, subpath.start});
+            for (Draw const& draw : subpath.draws) extent = united(extent, {end_of(draw), end_of(draw)});
+        }
+    if (extent.low.x() > extent.high.x()) return {};
     return {extent.low, extent.high - extent.low};
 }
 

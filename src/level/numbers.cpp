@@ -61,6 +61,7 @@ Prefix number_at_start(std::string_view text) {
     std::size_t digits = end - sign;
     if (text.substr(end, 1) == ".") {
         std::size_t const decimals = digits_at(text, end + 1);
+        if (decimals == 0) return {};  // CSS Values, SVG 2: digits must follow the point
         digits += decimals;
         end += 1 + decimals;
     }

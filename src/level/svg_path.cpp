@@ -83,6 +83,7 @@ private:
         finish_subpath();
         begun_ = true;
         start_subpath(to);
+        moved_ = true;
     }
 
     void start_subpath(Vec2 const& at) {
@@ -90,12 +91,18 @@ private:
         current_.start = at;
         at_ = at;
         memory_ = Memory::nothing;
+        moved_ = false;
     }
 
     void close() {
         Vec2 const start = current_.start;
         current_.closed = true;
         if (at_ != start) current_.draws.push_back(LineTo{start});
+        // A point that is moved to and closed is part of the path, and of its box.
+        if (moved_ && current_.draws.empty()) {
+            count_piece();
+            subpaths_.push_back(current_);
+        }
         finish_subpath();
         start_subpath(start);
     }
@@ -105,8 +112,12 @@ private:
         current_ = Subpath{};
     }
 
-    void append(Draw const& draw) {
+    void count_piece() {
         if (++appended_ > most_pieces) throw Broken("a path must have at most 1000000 pieces");
+    }
+
+    void append(Draw const& draw) {
+        count_piece();
         at_ = end_of(draw);
         current_.draws.push_back(draw);
         memory_ = Memory::nothing;
@@ -171,6 +182,7 @@ private:
     Memory memory_ = Memory::nothing;
     std::size_t appended_ = 0;
     bool begun_ = false, relative_ = false, fresh_ = false;
+    bool moved_ = false;  // the subpath is begun by M or m
 };
 
 }  // namespace

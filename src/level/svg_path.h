@@ -32,7 +32,7 @@ Vec2 end_of(Draw const& draw);
 
 struct Subpath {
     Vec2 start = Vec2::Zero();
-    std::vector<Draw> draws;  // each from the end of the one before
+    std::vector<Draw> draws;  // each from the end of the one before; none: a point that is closed, "M 1 1 Z"
     bool closed = false;      // the way back to the start is among the draws
 };
 

@@ -44,10 +44,19 @@ bool applies(pugi::xml_node node) {
     return false;
 }
 
-pugi::xml_node first_that_applies(pugi::xml_node choice) {
+// What browsers copy; anything else is not there in a copy (SVG 2, section 5.6, as Chromium has it).
+bool is_copied(std::string_view tag) {
+    constexpr std::string_view copied[] = {"a",       "circle", "desc",     "ellipse",  "g",    "image", "line",
+                                           "metadata", "path",   "polygon",  "polyline", "rect", "svg",   "switch",
+                                           "symbol",   "text",   "textPath", "title",    "tspan", "use"};
+    return std::find(std::begin(copied), std::end(copied), tag) != std::end(copied);
+}
+
+// Whether it shows anything or not: a title is taken as well as a path.
+pugi::xml_node first_that_applies(pugi::xml_node choice, bool in_copy) {
     for (pugi::xml_node const child : choice.children()) {
         std::string_view const tag = Document::tag_of(child);
-        if (!tag.empty() && !is_definition(tag) && applies(child)) return child;
+        if (!tag.empty() && (!in_copy || is_copied(tag)) && applies(child)) return child;
     }
     return {};
 }
@@ -130,6 +139,8 @@ void Walk::enter(pugi::xml_node node, Context const& above, pugi::xml_node use) 
     context.copy = above.copy == Copy::none ? Copy::none : use ? Copy::itself : Copy::within;
     context.style = styles_.of(node, above.style);
     if (context.style.hidden || (context.style.contents && is_shape(tag))) return;
+    bool const is_link_in_link = tag == "a" && Document::tag_of(node.parent()) == "a" && context.copy != Copy::itself;
+    if (is_link_in_link) return warn(node, "shows nothing: it is the child of another a");
     context.inherited = inherited_by(node, context.inherited);
     context.grass = context.grass || asks_for_grass(node.attribute("class").value());
     context.to_world = composed(context.to_world, placement_of(node, tag, context));
@@ -144,8 +155,11 @@ void Walk::enter_group(pugi::xml_node node, std::string_view tag, Context contex
     elements_.inspect_group(node, tag, context.style);
     if (auto const role = elements_.role_of_group(node)) context.role = role;
     if ((tag == "svg" || tag == "symbol") && !enter_viewport(node, use, context)) return;
-    pugi::xml_node const first = tag == "switch" ? first_that_applies(node) : node.first_child();
-    Siblings const siblings = tag == "switch" ? Siblings::alone : Siblings::all;
+    bool const is_choice = tag == "switch";
+    pugi::xml_node const first = is_choice ? first_that_applies(node, context.copy != Copy::none) : node.first_child();
+    if (is_choice && is_definition(Document::tag_of(first)))
+        warn(node, "shows nothing: the first of its children that applies is " + quoted(Document::tag_of(first)));
+    Siblings const siblings = is_choice ? Siblings::alone : Siblings::all;
     if (first) branches_.push_back({first, siblings, std::move(context), {}, {}});
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("line commands in both cases, with implicit repetition") {
     CHECK(same(corners("m1 1 2 2 3 1"), {{1, 1}, {3, 3}, {6, 4}}));
     CHECK(same(corners("M1,1H3V4h1v-1 2"), {{1, 1}, {3, 1}, {3, 4}, {4, 4}, {4, 3}, {4, 5}}));
     CHECK(same(corners("M1 1l1 0 0 1z"), {{1, 1}, {2, 1}, {2, 2}, {1, 1}}));
-    CHECK(same(corners(" M 1-.5.25 1e0 L+1e-1 , 2. "), {{1, -0.5}, {0.25, 1}, {0.1, 2}}));
+    CHECK(same(corners(" M 1-.5.25 1e0 L+1e-1 , 2.0 "), {{1, -0.5}, {0.25, 1}, {0.1, 2}}));
     CHECK(fault_of(lone_path("M0 0 1e-3.5-2")) == ":3: terrain: d: a number was expected, got nothing");
     CHECK(same(corners("M0 0 1e-3.5-2 1"), {{0, 0}, {0.001, 0.5}, {-2, 1}}));
 }

@@ -137,6 +137,9 @@ TEST_CASE("faults of roles") {
     CHECK(fault_of(with("<rect class='ball' width='1' height='1'/>")) ==
           ":3: ball: rect cannot be ball: it is not a circle to 1e-3 of its radius; draw a circle, or a path that is "
           "one");
+    CHECK(fault_of(with("<rect class='terrain' x='4.' width='3' height='1'/>")).find(":3: terrain: x must be a number") == 0);
+    CHECK(warnings_of(with("<rect class='terrain' x='4' y='6' width='3' height='1' rx='Auto' ry='.2'/>")) ==
+          "3: terrain: rx: some browsers take auto as 0; leave it out, which means the same");
     CHECK(fault_of(with("<ellipse class='ball' cx='9' cy='4' rx='1' ry='.9'/>")) ==
           ":3: ball: its radii must be equal to 1e-3, got 1 m and 0.9 m; make width and height the same");
     CHECK(fault_of(with("<path class='goal' d='M0 0h1'/>")) ==
@@ -164,6 +167,8 @@ TEST_CASE("broken paths") {
     CHECK(broken("M0 0L1") == ":3: terrain: d: a number was expected, got nothing");
     CHECK(broken("M0 0L1 1,") == ":3: terrain: d: a number was expected, got nothing");
     CHECK(broken("M0 0L1,,1") == ":3: terrain: d: a number was expected, got ,1");
+    CHECK(broken("M0 0L40. 40") == ":3: terrain: d: a number was expected, got 40. 40");
+    CHECK(broken("M0 0H4.e1") == ":3: terrain: d: a number was expected, got 4.e1");
     CHECK(broken("M,0 0") == ":3: terrain: d: a number was expected, got ,0 0");
     CHECK(broken("M0 0A1 1 0 2 0 1 1") == ":3: terrain: d: a flag of an arc must be 0 or 1, got 2 0 1 1");
     CHECK(broken("M0 0L1e999 0") == ":3: terrain: d: a number must be finite, got 1e999");
@@ -185,6 +190,7 @@ TEST_CASE("broken transforms") {
     CHECK(broken("turn(3)") == ":3: g: transform: unknown function turn");
     CHECK(broken("scale 2") == ":3: g: transform: ( was expected");
     CHECK(broken("scale(2") == ":3: g: transform: a number was expected, got nothing");
+    CHECK(broken("scale(2.)") == ":3: g: transform: a number was expected, got 2.)");
     CHECK(broken("scale(2deg)") == ":3: g: transform: a number was expected, got deg)");
     CHECK(broken("matrix(1 2 3)") == ":3: g: transform: matrix has 3 numbers, which is not its number");
     CHECK(broken("rotate(1 2)") == ":3: g: transform: rotate has 2 numbers, which is not its number");

@@ -94,6 +94,23 @@ TEST_CASE("transforms in a style and with units are those of the attribute") {
                      with("<rect class='terrain' x='9' y='6' width='2' height='1'/>")) == "");
 }
 
+TEST_CASE("points without length count for the box of a path") {
+    // A half turn about the middle of the box takes p to low + high - p; the box as Chromium has it.
+    auto const turned = [](std::string const& points, std::string const& twin) {
+        std::string const corner = "M2 2h4v4z";
+        return difference(with("<path class='terrain' d='" + corner + points +
+                               "' style='transform-box:fill-box;transform-origin:center;transform:rotate(180deg)'/>"),
+                          with("<path class='terrain' d='" + twin + "'/>"));
+    };
+    CHECK(turned("", "M6 6h-4v-4z") == "");
+    CHECK(turned("M20 20", "M6 6h-4v-4z") == "");
+    CHECK(turned("zz", "M6 6h-4v-4z") == "");
+    CHECK(turned("M10 8z", "M10 8h-4v-4z") == "");
+    CHECK(turned("m8 6z", "M10 8h-4v-4z") == "");
+    CHECK(turned("M10 8h0", "M10 8h-4v-4z") == "");
+    CHECK(turned("M10 8l0 0z", "M10 8h-4v-4z") == "");
+}
+
 TEST_CASE("a transform's origin is where the style or attribute puts it") {
     // A half turn about (x, y) takes p to 2 (x, y) - p.
     CHECK(against_matrix("transform='rotate(180)' transform-origin='8 4.5'", "-1 0 0 -1 16 9") == "");
@@ -254,13 +271,42 @@ TEST_CASE("a switch shows its first child that applies") {
     CHECK(chosen("<g systemLanguage='de, fr'>" + other + "</g><g systemLanguage='fr, en-GB'>" + hill + "</g>" +
                  other) == "");
     CHECK(chosen("<x xmlns='urn:x'/><foreignObject requiredExtensions='urn:x'/><g>" + hill + "</g>") == "");
-    CHECK(chosen("<title>t</title>" + hill + other) == "");
+    // As Chromium: whatever is an element of SVG is a child to choose.
+    for (std::string const tag : {"title", "desc", "defs", "metadata", "style", "clipPath", "symbol"}) {
+        CAPTURE(tag);
+        std::string const first = "<switch><" + tag + "/>" + other + "</switch>";
+        CHECK(difference(with(first + hill), plain) == "");
+        CHECK(warnings_of(with(first + hill)) ==
+              "3: switch: shows nothing: the first of its children that applies is " + tag);
+    }
+    CHECK(difference(with("<switch><g display='none'/>" + other + "</switch>" + hill), plain) == "");
+    // What browsers do not copy is not there to be chosen in a copy; a title is.
+    auto const copied = [&](std::string const& first) {
+        return difference(with("<defs><switch id='s'>" + first + hill + "</switch></defs><use href='#s'/>"), plain);
+    };
+    CHECK(copied("<foreignObject width='4' height='4'/>") == "");
+    CHECK(copied("<defs/><style/><clipPath/><marker/><unknown/>") == "");
+    CHECK(difference(with("<defs><switch id='s'><title/>" + other + "</switch></defs><use href='#s'/>" + hill), plain) ==
+          "");
     // What every browser says to know, and a list with what none does.
     std::string const xhtml = "http://www.w3.org/1999/xhtml", mathml = "http://www.w3.org/1998/Math/MathML";
     CHECK(chosen("<g requiredExtensions='" + xhtml + "'>" + hill + "</g>" + other) == "");
     CHECK(chosen("<g requiredExtensions=' " + mathml + " " + xhtml + "'>" + hill + "</g>" + other) == "");
     CHECK(chosen("<g requiredExtensions='" + xhtml + " urn:x'>" + other + "</g>" + hill) == "");
     CHECK(chosen("<g requiredExtensions=''>" + other + "</g>" + hill) == "");
+}
+
+TEST_CASE("a link that is the child of a link shows nothing") {
+    std::string const plain = with(hill);
+    std::string const other = "<path class='terrain' d='M0 3.5H16'/>";
+    CHECK(difference(with("<a><a>" + other + "</a>" + hill + "</a>"), plain) == "");
+    CHECK(warnings_of(with("<a><a>" + other + "</a>" + hill + "</a>")) ==
+          "3: a: shows nothing: it is the child of another a");
+    CHECK(difference(with("<a><g><a>" + hill + "</a></g></a>"), plain) == "");
+    CHECK(difference(with("<a><switch><a>" + hill + "</a></switch></a>"), plain) == "");
+    CHECK(difference(with("<defs><a><a id='s'>" + hill + "</a></a></defs><a><use href='#s'/></a>"), plain) == "");
+    CHECK(difference(with("<defs><g id='s'><a><a>" + other + "</a>" + hill + "</a></g></defs><use href='#s'/>"),
+                     plain) == "");
 }
 
 TEST_CASE("a nested svg shows its viewBox in its place") {
