@@ -39,13 +39,27 @@ std::optional<DiscRegion> disc_in(Ellipse const& ellipse, Affine const& map) {
     return checked(disc);
 }
 
-bool is_within(DiscRegion const& disc, Outline const& outline) {
+bool is_of_beziers(std::vector<Subpath> const& subpaths) {
+    auto const bends = [](Draw const& draw) {
+        return std::holds_alternative<CubicTo>(draw) || std::holds_alternative<QuadraticTo>(draw);
+    };
+    auto const all_bend = [&](Subpath const& subpath) {
+        // But for the way back to a start that rounding left beside the end.
+        std::span<Draw const> draws(subpath.draws);
+        bool const returns = subpath.closed && draws.size() > 1 && !bends(draws.back());
+        if (returns) draws = draws.first(draws.size() - 1);
+        return std::all_of(draws.begin(), draws.end(), bends);
+    };
+    return !subpaths.empty() && std::all_of(subpaths.begin(), subpaths.end(), all_bend);
+}
+
+bool is_within(DiscRegion const& disc, Outline const& outline, double slack) {
     constexpr int samples = 8;  // of each curve
     for (geometry::Curve const& curve : outline.curves)
         for (int i = 0; i <= samples; ++i) {
             Vec2 const point = point_along(curve, static_cast<double>(i) / samples);
             double const off = std::abs(geometry::length(point - disc.centre) - disc.radius);
-            if (!(off <= roundness * disc.radius)) return false;
+            if (!(off <= slack * disc.radius)) return false;
         }
     return true;
 }
@@ -79,7 +93,8 @@ std::optional<DiscRegion> disc_in(std::vector<Subpath> const& subpaths, Affine c
     if (size * fine < first_look) outlines = traced(subpaths, map, size * fine).outlines;
     if (outlines.size() != 1 || !outlines[0].closed) return std::nullopt;
     DiscRegion const disc = circle_through(outlines[0]);
-    bool const round = is_within(disc, outlines[0]) && std::abs(winding_round(outlines, disc.centre)) == 1;
+    double const slack = is_of_beziers(subpaths) ? roundness_of_beziers : roundness;
+    bool const round = is_within(disc, outlines[0], slack) && std::abs(winding_round(outlines, disc.centre)) == 1;
     return round ? std::optional(checked(disc)) : std::nullopt;
 }
 
@@ -92,7 +107,12 @@ std::optional<DiscRegion> disc_of(Shape const& shape, Affine const& to_world) {
 std::string why_not_round(Shape const& shape, Affine const& to_world, std::string_view tag) {
     if (tag == "circle") return "transform must keep a circle a circle; make width and height the same";
     auto const* ellipse = std::get_if<Ellipse>(&shape);
-    if (ellipse == nullptr) return "it is not a circle to 1e-3 of its radius; draw a circle, or a path that is one";
+    if (ellipse == nullptr) {
+        auto const& subpaths = std::get<std::vector<Subpath>>(shape);
+        bool const coarse = is_of_beziers(subpaths);
+        return std::string("it is not a circle to ") + (coarse ? "5e-3" : "1e-3") +
+               " of its radius; draw a circle, or a path that is one";
+    }
     auto const [greatest, least] = radii_of(*ellipse, to_world);
     return "its radii must be equal to 1e-3, got " + shown(greatest) + " m and " + shown(least) +
            " m; make width and height the same";

@@ -378,6 +378,8 @@ TEST_CASE("balls, bananas and goals of any shape that is a circle") {
     auto const disc = std::get<physics::DiscRegion>(cubic.scene.sensors[0].region);
     CHECK(distance(disc.centre, {10.552285, 3}) < 1e-3);
     CHECK(disc.radius == doctest::Approx(1).epsilon(1e-3));
+    CHECK(fault_of(with("<path class='ball' d='M6.5 3a.5.5 0 0 1-.5.502.5.5 0 0 1-.5-.502.5.5 0 0 1 1 0z'/>"))
+              .find("it is not a circle to 1e-3 of its radius") != std::string::npos);
     CHECK(fault_of(with("<path class='ball' d='M5 5h1v1h-1z'/>"))
               .find(":3: ball: path cannot be ball: it is not a circle") == 0);
     auto const goal = read(with("<path class='goal' d='M9 3a1 1 0 1 0 2 0a1 1 0 1 0-2 0z'/>"));
@@ -424,6 +426,36 @@ TEST_CASE("lengths with units and in per cent") {
     CHECK(same("<svg x='4' y='1' width='8' height='4' viewBox='0 0 4 2'><rect class='terrain' x='25%' width='50%' "
                "height='50%'/></svg>",
                "<rect class='terrain' x='6' y='1' width='4' height='2'/>") == "");
+}
+
+TEST_CASE("a circle of Bezier curves that are rounded to a grid is a ball") {
+    // As LibreOffice writes circles: twelve curves in whole hundredths of mm. Handles are 4/3 tan(angle / 4) long.
+    auto const circle = [](double radius, double squeeze) {
+        constexpr double part = 3.14159265358979323846 / 6;
+        double const handle = 4.0 / 3 * std::tan(part / 4);
+        std::ostringstream path;
+        auto const point = [&](double x, double y) {
+            path << ' ' << std::lround(4000 + radius * x) << ',' << std::lround(2000 + radius * y * squeeze);
+        };
+        path << "<path class='ball' transform='scale(.002)' d='M";
+        point(1, 0);
+        for (int i = 0; i < 12; ++i) {
+            double const from = i * part, to = from + part;
+            path << " C";
+            point(std::cos(from) - handle * std::sin(from), std::sin(from) + handle * std::cos(from));
+            point(std::cos(to) + handle * std::sin(to), std::sin(to) - handle * std::cos(to));
+            point(std::cos(to), std::sin(to));
+        }
+        path << "Z'/>";
+        return with(path.str());
+    };
+    auto const level = read(circle(250, 1));
+    REQUIRE(level.scene.balls.size() == 2);
+    CHECK(distance(level.scene.balls[1].start.position, {8, 5}) <= 1e-3);
+    CHECK(level.scene.balls[1].radius == doctest::Approx(0.5).epsilon(2e-3));
+    CHECK(fault_of(circle(250, .98)) ==
+          ":3: ball: path cannot be ball: it is not a circle to 5e-3 of its radius; draw a circle, or a path that is "
+          "one");
 }
 
 TEST_CASE("a goal of any closed shape covers what is drawn") {
