@@ -11,8 +11,8 @@
 
 namespace level {
 
-// Of the radius, docs/levels.md: how far a circle may be from one. Programs that make it of Bezier curves round these to
-// their grid: LibreOffice writes one of 5 mm in whole hundredths of mm.
+// Of the radius, docs/levels.md: how far a circle may be from one. Programs that make it of Bezier curves round these
+// to their grid: LibreOffice writes one of 5 mm in whole hundredths of mm.
 inline constexpr double roundness = 1e-3, roundness_of_beziers = 5e-3;
 
 // The disc in the world that a shape is; none where it is no circle. Throws Broken where it is one of no size or

@@ -46,8 +46,8 @@ bool applies(pugi::xml_node node) {
 
 // What browsers copy; anything else is not there in a copy (SVG 2, section 5.6, as Chromium has it).
 bool is_copied(std::string_view tag) {
-    constexpr std::string_view copied[] = {"a",       "circle", "desc",     "ellipse",  "g",    "image", "line",
-                                           "metadata", "path",   "polygon",  "polyline", "rect", "svg",   "switch",
+    constexpr std::string_view copied[] = {"a",        "circle", "desc",     "ellipse",  "g",     "image", "line",
+                                           "metadata", "path",   "polygon",  "polyline", "rect",  "svg",   "switch",
                                            "symbol",   "text",   "textPath", "title",    "tspan", "use"};
     return std::find(std::begin(copied), std::end(copied), tag) != std::end(copied);
 }

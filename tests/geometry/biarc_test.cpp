@@ -141,17 +141,18 @@ TEST_CASE("ellipses of any shape, turn and part keep within a millimetre") {
                     CAPTURE(from);
                     CAPTURE(sweep);
                     // A direction of 3 : 4, so that neither axis lies on x or y.
-                    EllipticArc const part{{1, 2}, {0.6 * size, 0.8 * size}, {-0.8 * size * ratio, 0.6 * size * ratio},
-                                           from, sweep};
+                    EllipticArc const part{
+                        {1, 2}, {0.6 * size, 0.8 * size}, {-0.8 * size * ratio, 0.6 * size * ratio}, from, sweep};
                     auto const at = [&](double angle) -> Vec2 {
                         return part.centre + std::cos(angle) * part.first + std::sin(angle) * part.second;
                     };
                     std::vector<Curve> const arcs = arcs_of_ellipse(part);
                     double worst = 0;
-                    for (int i = 0; i <= 400; ++i) worst = std::max(worst, distance_to(arcs, at(from + sweep * i / 400)));
+                    for (int i = 0; i <= 400; ++i)
+                        worst = std::max(worst, distance_to(arcs, at(from + sweep * i / 400)));
                     CHECK(worst <= drawing_tolerance);
-                    // The other way round: no point of an arc is far from the ellipse, in units of the tolerance along
-                    // its gradient. f = (x / a)^2 + (y / b)^2 - 1 is |grad f| times the distance, to first order.
+                    // From the arcs to the ellipse: f = (x / a)^2 + (y / b)^2 - 1 is |grad f| times the distance, to
+                    // first order.
                     double astray = 0;
                     for (Curve const& arc : arcs)
                         for (double share = 0; share <= 1; share += 0.125) {

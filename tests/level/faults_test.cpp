@@ -137,7 +137,9 @@ TEST_CASE("faults of roles") {
     CHECK(fault_of(with("<rect class='ball' width='1' height='1'/>")) ==
           ":3: ball: rect cannot be ball: it is not a circle to 1e-3 of its radius; draw a circle, or a path that is "
           "one");
-    CHECK(fault_of(with("<rect class='terrain' x='4.' width='3' height='1'/>")).find(":3: terrain: x must be a number") == 0);
+    CHECK(
+        fault_of(with("<rect class='terrain' x='4.' width='3' height='1'/>")).find(":3: terrain: x must be a number") ==
+        0);
     CHECK(warnings_of(with("<rect class='terrain' x='4' y='6' width='3' height='1' rx='Auto' ry='.2'/>")) ==
           "3: terrain: rx: some browsers take auto as 0; leave it out, which means the same");
     CHECK(fault_of(with("<ellipse class='ball' cx='9' cy='4' rx='1' ry='.9'/>")) ==

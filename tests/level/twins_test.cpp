@@ -286,8 +286,8 @@ TEST_CASE("a switch shows its first child that applies") {
     };
     CHECK(copied("<foreignObject width='4' height='4'/>") == "");
     CHECK(copied("<defs/><style/><clipPath/><marker/><unknown/>") == "");
-    CHECK(difference(with("<defs><switch id='s'><title/>" + other + "</switch></defs><use href='#s'/>" + hill), plain) ==
-          "");
+    CHECK(difference(with("<defs><switch id='s'><title/>" + other + "</switch></defs><use href='#s'/>" + hill),
+                     plain) == "");
     // What every browser says to know, and a list with what none does.
     std::string const xhtml = "http://www.w3.org/1999/xhtml", mathml = "http://www.w3.org/1998/Math/MathML";
     CHECK(chosen("<g requiredExtensions='" + xhtml + "'>" + hill + "</g>" + other) == "");
