@@ -101,7 +101,11 @@ void add_written(PlayGame const& game, view::Picture& picture, std::vector<view:
     for (view::Shape& shape : more) picture.shapes.emplace_back(std::move(shape));
 }
 
+// A page or the menu takes the place of what is told of the level.
+bool is_covered(PlayGame const& game) { return game.menu_row || game.settings || game.help; }
+
 double briefing_presence(PlayGame const& game) {
+    if (is_covered(game)) return 0;
     if (game.replay_end || game.file != game.stage->level->file) return 0;
     if (game.waiting) return std::min(1.0, game.wall_time / briefing_fading);
     return 1 - (game.wall_time - game.started_at) / briefing_fading;
@@ -123,8 +127,7 @@ Seen seen_ball(PlayGame const& game, view::Camera const& camera, view::Moment co
 // What the player has yet to learn, shown while the world waits: first the pull, then the tilt.
 std::vector<view::Shape> lesson_shapes(PlayGame const& game, view::Camera const& camera, view::Moment const& moment) {
     level::Level const& level = *game.stage->level;
-    bool const is_covered = game.menu_row || game.settings || game.help;
-    if (!game.waiting || is_covered || flight_of(game) > 0) return {};
+    if (!game.waiting || is_covered(game) || flight_of(game) > 0) return {};
     double const unit = view::hud_scale(game.size);
     if (level.drag_reach > 0 && !game.learnt.contains(game::Lesson::pull)) {
         Seen const ball = seen_ball(game, camera, moment, level.player);
@@ -146,13 +149,21 @@ view::Side side_of_briefing(PlayGame const& game) {
 }
 
 // Where the player's ball was at this time in another session, as far as that is known.
-std::vector<view::Shape> ghost_shapes(PlayGame const& game, game::Session const& other, view::Camera const& camera) {
+std::vector<view::Shape> ghost_of(PlayGame const& game, game::Session const& other, view::Camera const& camera) {
     double const time = shown_time(game);
     if (time > other.world.time || time < other.history.from) return {};
     int const player = game.stage->level->player;
     physics::State const ball = physics::state_at(other.history, player, time);
     double const radius = game.stage->level->scene.balls[static_cast<std::size_t>(player)].radius * camera.scale;
     return view::ghost_shapes(view::pixel_of(camera, ball.position), radius, ball.angle - view::turn_of(camera));
+}
+
+std::vector<view::Shape> ghosts_of(PlayGame const& game, view::Camera const& camera) {
+    std::vector<view::Shape> shapes;
+    if (game.ghost) shapes = ghost_of(game, *game.ghost, camera);
+    if (!game.companion) return shapes;
+    for (view::Shape& shape : ghost_of(game, *game.companion, camera)) shapes.emplace_back(std::move(shape));
+    return shapes;
 }
 
 // What lies over any screen: settings, help, and a message, or the fault that stands in its place.
@@ -181,7 +192,10 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
     dressing.pointer = game.held ? game.held : game.pointer;
     bool const is_title = game.screen == Screen::title;
     game::Language const language = language_of(game);
-    if (is_title) dressing.lettering = view::Lettering::none;
+    if (is_title)
+        dressing.lettering = view::Lettering::none;
+    else
+        dressing.ghosts = ghosts_of(game, camera);
     view::Picture picture = view::picture_of(*game.stage, moment, camera, dressing);
     auto const add = [&](std::vector<view::Shape> more) { add_written(game, picture, std::move(more)); };
     if (is_title) {
@@ -194,8 +208,6 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
         add(cover_shapes(game));
         return picture;
     }
-    if (game.ghost) add(ghost_shapes(game, *game.ghost, camera));
-    if (game.companion) add(ghost_shapes(game, *game.companion, camera));
     if (game.pointer && !game.held)
         if (auto const ball = ball_at(game, camera, *game.pointer)) {
             Seen const seen = seen_ball(game, camera, moment, *ball);

@@ -44,6 +44,7 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
         std::vector<Shape> way = trajectory_shapes(preview, camera);
         append(shapes, is_high && preview.premise == Premise::held ? dashed(std::move(way)) : std::move(way));
     }
+    append(shapes, is_high ? in_high_contrast(dressing.ghosts) : dressing.ghosts);
     bool const moves = dressing.motion == Motion::full;
     if (moves) append(shapes, trail_shapes(level, moment, camera));
     if (moves) append(shapes, dust_shapes(moment, camera));

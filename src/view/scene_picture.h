@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "view/camera.h"
 #include "view/contrast.h"
@@ -26,6 +27,7 @@ struct Dressing {
     EndingNote ending;
     Lettering lettering = Lettering::game;
     std::optional<Vec2> pointer;  // pixels, the window's own: the player's monkey looks there
+    std::vector<Shape> ghosts;    // pixels, the window's own: behind the balls, that none is paler for its ghost
     Motion motion = Motion::full;
     Contrast contrast = Contrast::usual;
 };

@@ -54,6 +54,25 @@ TEST_CASE("the ball is drawn where it is and as it is turned") {
     CHECK(picture.height == 720);
 }
 
+TEST_CASE("ghosts lie behind the balls") {
+    view::Stage const stage = view::stage_of(std::make_shared<level::Level const>(floor_level(16, 9)));
+    physics::History const history = steady_history(rolling_state());
+    view::Moment const moment = view::moment_at(*stage.level, history, 0.25);
+    view::Camera const camera = view::camera_at(*stage.level, history, 0.25, Vec2(1280, 720));
+    view::Dressing dressing;
+    dressing.ghosts = {view::Disc{Vec2(123, 45), 6.75, {}, {}, 0, 0}};
+    std::vector<view::Shape> const shapes = view::picture_of(stage, moment, camera, dressing).shapes;
+    auto const ghost = std::find_if(shapes.begin(), shapes.end(), [](view::Shape const& shape) {
+        auto const* disc = std::get_if<view::Disc>(&shape);
+        return disc && disc->radius == 6.75;
+    });
+    auto const is_ball = [](view::Shape const& shape) { return std::holds_alternative<view::Shell>(shape); };
+    REQUIRE(ghost != shapes.end());
+    CHECK(std::none_of(shapes.begin(), ghost, is_ball));
+    CHECK(std::any_of(ghost, shapes.end(), is_ball));
+    CHECK(view::picture_of(stage, moment, camera).shapes.size() + 1 == shapes.size());
+}
+
 TEST_CASE("a spring from the ball to the pointer is drawn while it is pulled, and only then") {
     level::Level const level = floor_level(16, 9);
     view::Moment pulled;
