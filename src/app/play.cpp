@@ -26,8 +26,7 @@ screen::Renderer renderer_from(std::string const& name) {
 }
 
 Tour tour_for(std::string const& file) {
-    std::error_code missing;
-    if (!file.empty()) return std::filesystem::is_directory(file, missing) ? tour_of_folder(file) : tour_from(file);
+    if (!file.empty()) return tour_of(file);
     auto const levels = shipped_levels();
     if (levels.empty()) throw std::runtime_error("the levels that ship with this program were not found; name a level");
     return tour_from(levels.front().string());

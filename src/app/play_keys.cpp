@@ -238,8 +238,7 @@ KeyCommand listen(SDL_Event const& event, PlayGame& game, Tour& tour, screen::Wi
         case SDL_DROPFILE: {
             std::string const file = event.drop.file;
             SDL_free(event.drop.file);
-            tour = tour_from(file);
-            go_to_level(game, tour, 0, window);
+            open_dropped(file, game, tour, window);
             break;
         }
         case SDL_MOUSEWHEEL:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/assets.h"
+#include "app/output.h"
 #include "app/play_settings.h"
 #include "app/play_sound.h"
 
@@ -57,6 +58,17 @@ void open_picker(PlayGame& game, Tour& tour, screen::Window& window) {
     window.release_pointer();
     release(game);
     tour.picker = picker_of(tour.files, tour.at);
+}
+
+void open_dropped(std::string const& file, PlayGame& game, Tour& tour, screen::Window& window) {
+    try {
+        Tour dropped = tour_of(file);
+        go_to_level(game, dropped, 0, window);
+        if (game.file == dropped.files[dropped.at] || dropped.picker) tour = std::move(dropped);
+    } catch (std::exception const& error) {
+        say(game, error.what());
+        note(std::string("smb2d: ") + error.what());
+    }
 }
 
 bool press_anywhere(Press const& press, PlayGame& game, screen::Window& window) {
@@ -183,6 +195,12 @@ Tour tour_of_folder(std::string const& folder) {
     auto const whole = std::find_if(tiles.begin(), tiles.end(), [](view::Tile const& tile) { return tile.thumbnail; });
     if (whole != tiles.end()) tour.at = tour.picker->chosen = static_cast<std::size_t>(whole - tiles.begin());
     return tour;
+}
+
+Tour tour_of(std::string const& file_or_folder) {
+    std::error_code missing;
+    bool const is_folder = std::filesystem::is_directory(file_or_folder, missing);
+    return is_folder ? tour_of_folder(file_or_folder) : tour_from(file_or_folder);
 }
 
 std::string title_of(PlayGame const& game) {

@@ -25,6 +25,9 @@ Tour tour_from(std::string const& file);
 // where there is none.
 Tour tour_of_folder(std::string const& folder);
 
+// The folder's, or those that ship with the file among them. Throws std::runtime_error as above.
+Tour tour_of(std::string const& file_or_folder);
+
 std::string title_of(PlayGame const& game);
 
 enum class KeyCommand { stay, quit };
@@ -35,6 +38,9 @@ Vec2 pixel_at(int x, int y, screen::Window const& window);
 // So many levels on.
 void go_to_level(PlayGame& game, Tour& tour, std::size_t by, screen::Window& window);
 void open_picker(PlayGame& game, Tour& tour, screen::Window& window);
+// A level, a run or a folder of levels that was dropped on the window. What cannot be opened is told, and all stays as
+// it is.
+void open_dropped(std::string const& file, PlayGame& game, Tour& tour, screen::Window& window);
 
 // What the button says that opens the settings, on the title and over the levels.
 std::string settings_button(PlayGame const& game);

@@ -58,15 +58,36 @@ class Display:
         self.client.sendall(struct.pack("=2B5H", ord("l"), 0, 11, 0, 0, 0, 0))  # version 11, without a name
         welcome, _, _, _, words = struct.unpack("=2B3H", self.receive(8))
         test.assertEqual(welcome, 1)
-        self.receive(4 * words)
+        setup = self.receive(4 * words)
+        self.resources, = struct.unpack_from("=I", setup, 4)
+        vendor, formats = struct.unpack_from("=H", setup, 16)[0], setup[21]
+        self.root, = struct.unpack_from("=I", setup, 32 + vendor + -vendor % 4 + 8 * formats)
+        self.may_drop, self.events = False, []
 
     def receive(self, size):
         return self.client.recv(size, socket.MSG_WAITALL)
 
+    def answer(self):
+        """The first 32 bytes of an answer; events that came before it are kept."""
+        while True:
+            answer = self.receive(32)
+            if answer[0] == 1:
+                return answer
+            assert answer[0] != 0, f"the X server refuses a request: {answer.hex()}"
+            self.events.append(answer)
+
+    def event(self, kind):
+        """The next one of that kind; others before it are lost."""
+        while True:
+            event = self.events.pop(0) if self.events else self.receive(32)
+            assert event[0] != 0, f"the X server refuses a request: {event.hex()}"
+            if event[0] & 127 == kind:
+                return event
+
     def synchronise(self):
         """Whatever request of another client the server was in the middle of is done."""
         self.client.sendall(struct.pack("=2BH", 43, 0, 1))  # GetInputFocus, as XSync does
-        self.receive(32)
+        self.answer()
 
     def pixels(self, left, top, width, height):
         """Of a part of the screen, row by row, as numbers 0xrrggbb. Never half a frame: the same before and after the server
@@ -84,6 +105,41 @@ class Display:
             begin, stride = header[0] + 12 * header[19], header[12]
             rows = [begin + y * stride + 4 * left for y in range(top, top + height)]
             return array.array("I", b"".join(dump[row:row + 4 * width] for row in rows))
+
+    def ask(self, opcode, detail, body, answers=False):
+        """A request of the X protocol; its answer of 32 bytes, where it has one."""
+        body += bytes(-len(body) % 4)
+        self.client.sendall(struct.pack("=2BH", opcode, detail, 1 + len(body) // 4) + body)
+        return self.answer() if answers else None
+
+    def atom(self, name):
+        return struct.unpack_from("=I", self.ask(16, 0, struct.pack("=2H", len(name), 0) + name.encode(), True), 8)[0]
+
+    def send_event(self, window, event):
+        self.ask(25, 0, struct.pack("=2I", window, 0) + event)
+
+    def drop(self, path, window):
+        """On the middle of the window, as file managers do (XDND 5): enter, position, drop; then the target asks this client
+        for the list of files, as the owner of a selection."""
+        here, text = self.resources, path.as_uri().encode() + b"\r\n"
+        if not self.may_drop:
+            self.ask(1, 0, struct.pack("=2I6H2I", here, self.root, 0, 0, 1, 1, 0, 0, 0, 0))  # a window, never shown
+            self.may_drop = True
+        selection, files = self.atom("XdndSelection"), self.atom("text/uri-list")
+        self.ask(22, 0, struct.pack("=3I", here, selection, 0))
+        message = lambda name, *data: self.send_event(
+            window, struct.pack("=2BH2I5I", 33, 32, 0, window, self.atom(name), here, *data))
+        message("XdndEnter", 5 << 24, files, 0, 0)
+        message("XdndPosition", 0, 320 << 16 | 180, 0, self.atom("XdndActionCopy"))
+        message("XdndDrop", 0, 0, 0, 0)
+        self.client.settimeout(PATIENCE)
+        at, _, asking, _, target, place = struct.unpack_from("=6I", self.event(30), 4)  # SelectionRequest
+        self.ask(18, 0, struct.pack("=3IB3xI", asking, place, target, 8, len(text)) + text)  # ChangeProperty
+        self.send_event(asking, struct.pack("=2BH5I8x", 31, 0, 0, at, asking, selection, target, place))
+        finished = self.atom("XdndFinished")
+        while struct.unpack_from("=I", self.event(33), 8)[0] != finished:  # the status comes before it
+            pass
+        self.client.settimeout(None)
 
     def run(self, *words):
         return subprocess.run(words, env=dict(os.environ, DISPLAY=self.name), stdout=subprocess.PIPE,
@@ -710,6 +766,55 @@ class Window(ProgramTest):
         self.press_key("Right")
         self.press_key("Return")
         self.until_colour(0x0000ff)
+        self.close()
+
+    def name(self):
+        return self.display.run("xdotool", "getwindowname", self.window).decode().strip()
+
+    def drop(self, path):
+        self.display.drop(path, int(self.window))
+
+    def test_levels_and_folders_dropped_on_the_window_are_opened(self):
+        self.file("levels/a.svg", SMALL_LEVEL.replace("Small", "One of a folder"))
+        self.file("levels/b.svg", SMALL_LEVEL.replace("Small", "Its other"))
+        one = self.file("one level.svg", SMALL_LEVEL.replace("Small", "Dropped"))
+        self.open("software")
+        self.drop(one)
+        until(lambda: self.name().endswith("Dropped"), "the level", self.game)
+        self.drop(self.folder / "levels")
+        until(lambda: self.name().endswith("One of a folder"), "the folder's first level", self.game)
+        self.press_key("Right")
+        self.press_key("Return")
+        until(lambda: self.name().endswith("Its other"), "the level that is picked", self.game)
+        self.close()
+
+    def test_what_is_dropped_and_cannot_be_opened_is_told_and_the_game_stays(self):
+        broken = self.file("broken.svg", SMALL_LEVEL.replace('r="0.5"', 'r="-1"'))
+        self.open("software")
+        before = self.name()
+        self.drop(broken)
+        self.assertIn(b"broken.svg:3: ball: r must be greater than 0, got -1", self.game.stderr.readline())
+        (self.folder / "empty").mkdir()
+        self.drop(self.folder / "empty")
+        self.assertIn(b"there is no level in this folder", self.game.stderr.readline())
+        self.assertEqual(self.name(), before)
+        self.press_key("Next")  # from the level that was there before
+        until(lambda: self.name() != before, "the next level", self.game)
+        self.press_key("Prior")
+        until(lambda: self.name() == before, "the level before", self.game)
+        self.close()
+
+    def test_spoilt_preferences_are_told_at_once_and_set_aside_when_a_change_is_kept(self):
+        spoilt = self.file("data/smb2d/preferences.json", '{"volume": 0.')
+        self.open("software")
+        self.assertIn(b"preferences.json: cannot be read as JSON", self.game.stderr.readline())
+        self.drag_the_ball()  # play goes on
+        self.assertEqual(spoilt.read_text(), '{"volume": 0.')
+        self.press_key("m")
+        aside = spoilt.with_name("preferences.json.spoilt")
+        self.assertIn(aside.name.encode(), self.game.stderr.readline())
+        self.assertEqual(aside.read_text(), '{"volume": 0.')
+        self.wait_for_preference("muted", True)
         self.close()
 
     def test_the_first_pictures_are_followed_by_a_renderers(self):
