@@ -191,6 +191,13 @@ void Window::toggle_fullscreen() {
 void Window::capture_pointer() { SDL_CaptureMouse(SDL_TRUE); }
 void Window::release_pointer() { SDL_CaptureMouse(SDL_FALSE); }
 void Window::retitle(std::string const& title) { SDL_SetWindowTitle(body_->window.get(), title.c_str()); }
+
+bool Window::ends_with_program() const {
+    char const* const name = SDL_GetCurrentVideoDriver();
+    std::string_view const driver = name ? name : "";
+    return driver == "x11" || driver == "wayland";
+}
+
 std::string Window::renderer_name() const { return body_->renderer_name; }
 
 }  // namespace screen

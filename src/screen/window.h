@@ -51,6 +51,10 @@ public:
     // What paints, in words: "OpenGL, NVIDIA ..." or "software, llvmpipe ...".
     std::string renderer_name() const;
 
+    // Whether the display takes the window back by itself when the program ends, as X and Wayland do, and a console
+    // without them does not.
+    bool ends_with_program() const;
+
 private:
     struct Body;
     std::unique_ptr<Body> body_;

@@ -817,6 +817,16 @@ class Window(ProgramTest):
         self.wait_for_preference("muted", True)
         self.close()
 
+    def test_closed_while_a_renderer_is_loaded_the_program_ends_as_ever(self):
+        for key, status in [("q", 0), (None, 130)]:
+            self.open("auto")
+            if key:
+                self.press_key(key)
+            else:
+                self.game.send_signal(signal.SIGTERM)
+            _, stderr = self.game.communicate(timeout=PATIENCE)
+            self.assertEqual((self.game.returncode, stderr), (status, b"" if key else b"smb2d: interrupted\n"))
+
     def test_the_first_pictures_are_followed_by_a_renderers(self):
         self.open("auto")
         self.assertTrue(len(set(self.screenshot())) > 50)
