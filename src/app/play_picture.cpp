@@ -196,6 +196,7 @@ view::Picture picture_of(PlayGame const& game, view::Camera const& camera) {
         dressing.lettering = view::Lettering::none;
     else
         dressing.ghosts = ghosts_of(game, camera);
+    if (!is_title && is_covered(game)) dressing.lettering = view::Lettering::heading;
     view::Picture picture = view::picture_of(*game.stage, moment, camera, dressing);
     auto const add = [&](std::vector<view::Shape> more) { add_written(game, picture, std::move(more)); };
     if (is_title) {

@@ -61,6 +61,7 @@ Picture picture_of(Stage const& stage, Moment const& moment, Camera const& camer
     };
     append_written(heading_shapes(level, moment, camera.size));
     append_written(tilt_shapes(level, moment.forces.tilt, camera.size));
+    if (dressing.lettering == Lettering::heading) return picture;
     append_written(ending_shapes(level, moment, camera.size, dressing.ending));
     return picture;
 }

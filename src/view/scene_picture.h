@@ -21,7 +21,8 @@ struct Stage {
 };
 Stage stage_of(std::shared_ptr<level::Level const> level);
 
-enum class Lettering { game, none };  // none: the scene alone, behind the title
+// heading: no card at the end, which would shine through what lies over it; none: the scene alone, behind the title.
+enum class Lettering { game, heading, none };
 struct Dressing {
     Overlays overlays;
     EndingNote ending;

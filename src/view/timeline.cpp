@@ -9,7 +9,7 @@ namespace view {
 
 namespace {
 
-constexpr double margin = 16, thickness = 16, grip = 24;  // pixels of a picture of 1280x720
+constexpr double margin = 16, thickness = 16, grip = 36;  // pixels of a picture of 1280x720
 
 // Each kind has a shape of its own, rimmed.
 void add_mark(std::vector<Shape>& shapes, Timeline::Mark const& mark, Vec2 const& at, double unit) {

@@ -73,6 +73,23 @@ TEST_CASE("ghosts lie behind the balls") {
     CHECK(view::picture_of(stage, moment, camera).shapes.size() + 1 == shapes.size());
 }
 
+TEST_CASE("under a page the heading stays, and the card at the end is not there") {
+    view::Stage const stage = view::stage_of(std::make_shared<level::Level const>(floor_level(16, 9)));
+    physics::History const history = steady_history(rolling_state());
+    view::Camera const camera = view::camera_at(*stage.level, history, 0.25, Vec2(1280, 720));
+    auto const panels = [&](view::Lettering lettering, bool is_over) {
+        view::Moment moment = view::moment_at(*stage.level, history, 0.25);
+        moment.time = 5;
+        if (is_over) moment.status.fall_time = 0.1;
+        view::Dressing dressing;
+        dressing.lettering = lettering;
+        return count_of<view::Panel>(view::picture_of(stage, moment, camera, dressing).shapes);
+    };
+    CHECK(panels(view::Lettering::game, true) > panels(view::Lettering::game, false));
+    CHECK(panels(view::Lettering::heading, true) == panels(view::Lettering::game, false));
+    CHECK(panels(view::Lettering::none, true) < panels(view::Lettering::heading, true));
+}
+
 TEST_CASE("a spring from the ball to the pointer is drawn while it is pulled, and only then") {
     level::Level const level = floor_level(16, 9);
     view::Moment pulled;

@@ -23,6 +23,9 @@ TEST_CASE("the moment under a pixel is the one whose knob would stand there") {
     CHECK(view::time_at(timeline, Vec2(-50, 712), Vec2(1280, 720)) == 10);
     CHECK(view::time_at(timeline, Vec2(2000, 712), Vec2(1280, 720)) == 30);
     CHECK(view::is_on_timeline(Vec2(600, 712), Vec2(1280, 720)));
+    CHECK(view::is_on_timeline(Vec2(600, 690), Vec2(1280, 720)));  // a press that just misses would begin anew after a fall
+    CHECK_FALSE(view::is_on_timeline(Vec2(600, 680), Vec2(1280, 720)));
+    CHECK(view::is_on_timeline(Vec2(600, 2060), Vec2(3840, 2160)));
     CHECK_FALSE(view::is_on_timeline(Vec2(600, 600), Vec2(1280, 720)));
 }
 
