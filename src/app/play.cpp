@@ -79,10 +79,10 @@ void fit(PlayGame& game, screen::Window const& window) {
     game.size = Vec2(std::max(extent.width, 1), std::max(extent.height, 1));
 }
 
-// Once nothing is left to save: to undo painter, window and sound takes a fifth of a second, and while another thread
-// loads OSMesa, whatever unloads a library waits for it too. The system takes all that back with the program; a leak
-// checker wants it undone.
-bool may_leave_at_once(screen::Window const& window) { return !__lsan_do_leak_check && window.ends_with_program(); }
+// Once nothing is left to save. While another thread loads OSMesa, whatever unloads a library waits for it, on busy
+// cores for seconds; the system takes all back with the program. A leak checker wants it undone. Not later on: Mesa has
+// a thread of lowest priority by then, which would have to end the program.
+bool may_leave_at_once(screen::Window const& window) { return !__lsan_do_leak_check && window.may_be_left(); }
 
 [[noreturn]] void leave_at_once(int status) {
     std::fflush(nullptr);

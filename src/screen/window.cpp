@@ -192,10 +192,12 @@ void Window::capture_pointer() { SDL_CaptureMouse(SDL_TRUE); }
 void Window::release_pointer() { SDL_CaptureMouse(SDL_FALSE); }
 void Window::retitle(std::string const& title) { SDL_SetWindowTitle(body_->window.get(), title.c_str()); }
 
-bool Window::ends_with_program() const {
+bool Window::may_be_left() const {
+    std::future<Offscreen> const& coming = body_->coming;
+    bool const is_loading = coming.valid() && coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     char const* const name = SDL_GetCurrentVideoDriver();
     std::string_view const driver = name ? name : "";
-    return driver == "x11" || driver == "wayland";
+    return is_loading && (driver == "x11" || driver == "wayland");
 }
 
 std::string Window::renderer_name() const { return body_->renderer_name; }

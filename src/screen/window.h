@@ -51,9 +51,9 @@ public:
     // What paints, in words: "OpenGL, NVIDIA ..." or "software, llvmpipe ...".
     std::string renderer_name() const;
 
-    // Whether the display takes the window back by itself when the program ends, as X and Wayland do, and a console
-    // without them does not.
-    bool ends_with_program() const;
+    // Whether another thread still loads what paints, for which the destructor waits, and the display would take the
+    // window back by itself when the program ends, as X and Wayland do.
+    bool may_be_left() const;
 
 private:
     struct Body;
