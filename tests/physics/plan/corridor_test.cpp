@@ -38,7 +38,7 @@ void forget_corridors(World& world) {
 }
 
 // With what it knows of the ground forgotten at each event the ball takes the same way, to the growth of rounding.
-void check_forgetful(std::vector<Piece> const& pieces, Ball const& ball, double end) {
+void check_forgetful(std::vector<Piece> const& pieces, Ball const& ball, double end, double tolerance) {
     StepContext knowing(pieces, {ball}), looking(pieces, {ball});
     // Stopped at each event, it never uses what it then knew.
     auto const next_event = [&] { return std::min(end, looking.world.legs[0].until); };
@@ -55,7 +55,7 @@ void check_forgetful(std::vector<Piece> const& pieces, Ball const& ball, double 
         REQUIRE(a.kind == b.kind);
         REQUIRE(a.contact == b.contact);
         // What is rounding at first has grown at corners by then.
-        REQUIRE(a.time == doctest::Approx(b.time).epsilon(1e-9));
+        REQUIRE(a.time == doctest::Approx(b.time).epsilon(tolerance));
     }
     REQUIRE(geometry::length(knowing.now().position - looking.now().position) < 1e-8);
 }
@@ -69,20 +69,23 @@ TEST_CASE("with its corridors forgotten all the time a ball takes the same way")
                                 random() % 2 == 0 ? 0 : in(random, 0, 1), 0};
         Ball const ball = disc(in(random, 0.1, 0.6), {in(random, 0, 15), in(random, 3, 4)},
                                {in(random, -5, 5), in(random, -2, 2)}, in(random, -10, 10));
-        check_forgetful(ground_of(random, material), ball, 3);
+        check_forgetful(ground_of(random, material), ball, 3, 1e-9);
     }
 }
 
 TEST_CASE("so it does in a channel that it all but fills, whose far wall its hops come near or do not") {
     std::mt19937 random(11);
     for (int scene = 0; scene < 200; ++scene) {
-        Material const material{in(random, 0, 1), in(random, 0.5, 0.98), 0};
-        double const angle = in(random, -0.6, 0.6), radius = in(random, 0.1, 0.6), play = std::pow(10, in(random, -6, -1));
+        // One after the other, for the same scenes on every compiler.
+        double const friction = in(random, 0, 1), restitution = in(random, 0.5, 0.98), angle = in(random, -0.6, 0.6);
+        double const radius = in(random, 0.1, 0.6), play = std::pow(10, in(random, -6, -1)), height = in(random, 0, 1) * play;
+        double const forwards = in(random, -3, 3), upwards = in(random, 0, 0.1), spin = in(random, -10, 10);
+        Material const material{friction, restitution, 0};
         Vec2 const along(std::cos(angle), std::sin(angle)), normal(-std::sin(angle), std::cos(angle));
         Vec2 const far = (2 * radius + play) * normal;
-        Vec2 const start = (radius + in(random, 0, 1) * play) * normal;
+        // A hop that closes at 1e-6 m/s begins earlier or later by 1e-9 s, as its place is rounded.
         check_forgetful({line(-20 * along, 20 * along, material), line(far - 20 * along, far + 20 * along, material)},
-                        disc(radius, start, in(random, -3, 3) * along + in(random, 0, 0.1) * normal, in(random, -10, 10)), 0.5);
+                        disc(radius, (radius + height) * normal, forwards * along + upwards * normal, spin), 0.5, 1e-7);
     }
 }
 
