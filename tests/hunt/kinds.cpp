@@ -13,9 +13,9 @@ namespace hunt {
 
 namespace {
 
-constexpr Kind all[] = {{"lines", draw_lines},   {"arcs", draw_arcs},     {"stones", draw_stones},
-                        {"grid", draw_grid},     {"curves", draw_curves}, {"gaps", draw_gaps},
-                        {"narrow", draw_narrow}, {"twice", draw_twice},   {"zero-g", draw_zero_g},
+constexpr Kind all[] = {{"lines", draw_lines},    {"arcs", draw_arcs},     {"stones", draw_stones},
+                        {"grid", draw_grid},      {"curves", draw_curves}, {"gaps", draw_gaps},
+                        {"narrow", draw_narrow},  {"twice", draw_twice},   {"zero-g", draw_zero_g},
                         {"rounded", draw_rounded}};
 constexpr char with_player[] = "+player";
 constexpr double full_grip = std::numeric_limits<double>::infinity();

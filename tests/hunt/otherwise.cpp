@@ -40,8 +40,10 @@ Stroke backwards(Stroke const& stroke) {
 std::vector<Stroke> split(Dice& dice, Stroke const& stroke) {
     double const share = dice.between(0.3, 0.7);
     auto const leads_somewhere = [](auto const& shape) { return shape.from != shape.to; };
-    if (auto const* line = std::get_if<Line>(&stroke); line && leads_somewhere(*line)) return flattened(halves(*line, share));
-    if (auto const* bow = std::get_if<Bow>(&stroke); bow && leads_somewhere(*bow)) return flattened(halves(*bow, share));
+    if (auto const* line = std::get_if<Line>(&stroke); line && leads_somewhere(*line))
+        return flattened(halves(*line, share));
+    if (auto const* bow = std::get_if<Bow>(&stroke); bow && leads_somewhere(*bow))
+        return flattened(halves(*bow, share));
     return {stroke};
 }
 

@@ -38,7 +38,8 @@ Bounces bounces_that_stick(double angle, double height, double restitution) {
             speed + along * span / (1 + k)};
 }
 
-// The same by every single bounce, in long double, whether it sticks or slips; s is the rim's speed in the rolling sense.
+// The same by every single bounce, in long double, whether it sticks or slips; s is the rim's speed in the rolling
+// sense.
 struct Way {
     double time = 0, along = 0, speed = 0, rim = 0, turned = 0;  // s, m, m/s, m/s, m, when the bounces have ended
 };
@@ -176,7 +177,8 @@ TEST_CASE("a fast ball in a narrow ring bounces into rolling, and no sixtieth of
     run.to(1);
     CHECK(busiest_sixtieth(run.history) < 3000);
     CHECK(energy_of(run) <= before * (1 + 1e-12));
-    // Without friction its moment of momentum about the ring's centre stays, but for gravity: 2 g (ring - radius) of v^2.
+    // Without friction its moment of momentum about the ring's centre stays, but for gravity: 2 g (ring - radius) of
+    // v^2.
     CHECK(geometry::length(run.state().velocity) == doctest::Approx(0.0078 * 42 / (ring - radius)).epsilon(1e-4));
     CHECK(geometry::length(run.state().position) < ring - radius + 1e-9);
 }

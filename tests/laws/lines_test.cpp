@@ -112,7 +112,8 @@ TEST_CASE("full grip finds no hold on a wall that is upright but for the roundin
     for (double const lean : {0.0, 2e-15, -2e-15, 1e-14}) {
         CAPTURE(lean);
         // It is thrown up along the wall, which it touches.
-        physics::Scene const scene = scene_of({line({16, 0}, {16 + lean, 9}, material(full_grip))}, {disc_at({15.5, 8}, {0, 3})});
+        physics::Scene const scene =
+            scene_of({line({16, 0}, {16 + lean, 9}, material(full_grip))}, {disc_at({15.5, 8}, {0, 3})});
         Run run(physics::Exact{}, scene);
         run.to(1);
         CHECK(run.leg().phase == physics::Phase::flight);
@@ -121,8 +122,10 @@ TEST_CASE("full grip finds no hold on a wall that is upright but for the roundin
     }
 }
 
-TEST_CASE("a ball dropped on a joint that all but goes straight on does not fall through, wherever on it it comes down") {
-    // Beyond the foot of one line by r times a part of the turn, and not yet above the other: the vertex must be met there.
+TEST_CASE(
+    "a ball dropped on a joint that all but goes straight on does not fall through, wherever on it it comes down") {
+    // Beyond the foot of one line by r times a part of the turn, and not yet above the other: the vertex must be met
+    // there.
     for (double turn = 1e-13; turn < 1e-4; turn *= 3)
         for (double const radius : {0.05, 0.5, 30.0})
             for (int place = -2; place <= 12; ++place) {
@@ -131,7 +134,9 @@ TEST_CASE("a ball dropped on a joint that all but goes straight on does not fall
                 CAPTURE(place);
                 physics::Ball ball = disc_at({radius * turn * place / 10, radius + 0.3});
                 ball.radius = radius;
-                Run run(physics::Exact{}, scene_of({line({-99, 0}, {0, 0}, material(0)), line({0, 0}, {99, -99 * turn}, material(0))}, {ball}));
+                Run run(physics::Exact{},
+                        scene_of({line({-99, 0}, {0, 0}, material(0)), line({0, 0}, {99, -99 * turn}, material(0))},
+                                 {ball}));
                 run.to(1);
                 for (int i = 0; i <= 100; ++i)
                     REQUIRE(physics::state_at(run.history, 0, i / 100.0).position.y() > radius - 2e-9 - 2 * turn);

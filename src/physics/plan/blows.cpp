@@ -18,8 +18,8 @@ namespace {
 
 // Speeds along a normal below this share of the ball's speeds are rounding.
 constexpr double resolve_rounding = 1e-12;
-// Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series. Across a socket, which
-// is touched all round, they go to and fro as if it had no play.
+// Blows in one moment; between two walls that meet at a narrow angle they die out like a geometric series. Across a
+// socket, which is touched all round, they go to and fro as if it had no play.
 constexpr int most_blows = 200, most_blows_in_socket = 20;
 // Closing speeds that differ by less than this share are equal.
 constexpr double equal_speeds = 1e-9;

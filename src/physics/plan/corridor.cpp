@@ -24,8 +24,8 @@ constexpr double corridor_rounding = 1e-12;
 constexpr double straight = 1e-15;
 // A ball that comes down nearer than this to the end of a piece may touch something else as well. Radii.
 constexpr double end_margin = 1.0 / 16;
-// How far a hop's corridor goes beyond the hop, less where something is near, and how far ahead that of a rolling ball is looked
-// for. Radii.
+// How far a hop's corridor goes beyond the hop, less where something is near, and how far ahead that of a rolling ball
+// is looked for. Radii.
 struct HopRoom {
     double beside, above;
 };
@@ -62,8 +62,8 @@ Extent extent_of(geometry::Curve const& curve, Corridor const& corridor, double 
 bool is_free(Terrain const& terrain, Corridor const& corridor, double radius) {
     Box room;
     Vec2 const normal = geometry::turned_left(corridor.track.along);
-    Vec2 const middle = corridor.track.origin + (corridor.low + corridor.high) / 2 * corridor.track.along +
-                        corridor.top / 2 * normal;
+    Vec2 const middle =
+        corridor.track.origin + (corridor.low + corridor.high) / 2 * corridor.track.along + corridor.top / 2 * normal;
     double const around = std::hypot(corridor.high - corridor.low, corridor.top) / 2;
     for (double const s : {corridor.low, corridor.high})
         for (double const height : {0.0, corridor.top}) {

@@ -17,8 +17,8 @@ struct MotionContext {
     Terrain const& terrain;
     Ball const& ball;
     Field field;
-    // Of bounces just before (planned_balls.h): they have crowded and end now, restitution counts for nothing; or there were
-    // many, and those to come, if as short, are summed.
+    // Of bounces just before (planned_balls.h): they have crowded and end now, restitution counts for nothing; or there
+    // were many, and those to come, if as short, are summed.
     bool crowded = false, many = false;
 };
 
@@ -49,8 +49,8 @@ SurfaceState held_by_full_grip(MotionContext const& context, SurfaceState on_tra
 // Components of the field's acceleration where the ball is, and the normal force per mass (physics.md 3.5).
 double tangent_acceleration(MotionContext const& context, SurfaceState const& on_track);
 double normal_force(MotionContext const& context, SurfaceState const& on_track);
-// Whether the surface pushes, by more than rounding of its direction: without normal force there is no friction, and the ball
-// flies, be it along the surface.
+// Whether the surface pushes, by more than rounding of its direction: without normal force there is no friction, and
+// the ball flies, be it along the surface.
 bool is_pressed(MotionContext const& context, SurfaceState const& on_track);
 
 // Tangential acceleration = alpha a_t + beta N, rim acceleration = gamma N: rolling, with or without resistance, and

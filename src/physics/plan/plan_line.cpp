@@ -171,8 +171,8 @@ LegPlan plan_settling(MotionContext const& context, SurfaceState const& on_track
     if (!slides)
         end.speed = end.rim = on_track.slip() == 0 ? on_track.speed : (on_track.speed + k * on_track.rim) / (1 + k);
     double rim_rate = slides ? grip * pressing * sign / k : acceleration;
-    // In flight nothing but the pull acts: the way is ahead of, and the turn behind, what the means make of them. The leg ends
-    // with the place, the angle and the speeds of the sum.
+    // In flight nothing but the pull acts: the way is ahead of, and the turn behind, what the means make of them. The
+    // leg ends with the place, the angle and the speeds of the sum.
     if (span > 0) {
         double const ahead = (a - acceleration) * squares, behind = rim_rate * squares;
         end.speed += ahead;

@@ -10,12 +10,12 @@ namespace physics {
 inline constexpr double watch_span = 1e-3;  // s; more events than
 inline constexpr int watch_events = 1000;   // these in that span for one of several balls have no end (handover.h)
 
-// A lone ball is never handed over. Bounces on one surface under gravity alone have a limit, to which they are summed, after
-// many_events within frame_span from hops of 1/60,000 s on (longest_of_many); others, between two surfaces or in a socket, under
-// the pull of the spring or where all but nothing is lost, end where they crowd: after so many of them within watch_span, or
-// within frame_span, nothing bounces back. Where more events than stall_events fall in stall_span, the ball creeps on
-// (transition.h), and so it does where it changes between contact modes more often than flip_events in flip_span, as between
-// two walls as far apart as it is wide; soon after that, after flips_again.
+// A lone ball is never handed over. Bounces on one surface under gravity alone have a limit, to which they are summed,
+// after many_events within frame_span from hops of 1/60,000 s on (longest_of_many); others, between two surfaces or in
+// a socket, under the pull of the spring or where all but nothing is lost, end where they crowd: after so many of them
+// within watch_span, or within frame_span, nothing bounces back. Where more events than stall_events fall in
+// stall_span, the ball creeps on (transition.h), and so it does where it changes between contact modes more often than
+// flip_events in flip_span, as between two walls as far apart as it is wide; soon after that, after flips_again.
 inline constexpr int crowd_events = 50;
 inline constexpr double frame_span = 1.0 / 60;  // s
 inline constexpr int frame_events = 200;
@@ -23,11 +23,11 @@ inline constexpr int many_events = 1000;
 inline constexpr double most_summed = 0.9999;  // restitution: above it a sum of bounces counts as endless
 inline constexpr double stall_span = 1e-10;    // s
 inline constexpr int stall_events = 40;
-inline constexpr double flip_span = 1e-4;      // s
+inline constexpr double flip_span = 1e-4;  // s
 inline constexpr int flip_events = 100;
 inline constexpr int flips_again = 5;
-// More creeps than these within watch_span, and the ball is stopped, to set out from rest; if that jams within frame_span
-// as well it stands until the forces change.
+// More creeps than these within watch_span, and the ball is stopped, to set out from rest; if that jams within
+// frame_span as well it stands until the forces change.
 inline constexpr int creep_events = 50;
 
 // One call's view of the balls of a world that are on their plans. Legs and events go to the history at world.time.

@@ -85,7 +85,7 @@ struct BallPlan {
     bool watch_mixed = false;    // others were, or a socket, or
     bool watch_elastic = false;  // one that loses all but nothing
     Tally stall, flips, creeps;  // of all at one moment, of changes between contact modes, of creeping
-    double jammed_at = -never;  // s, when creeping last took it nowhere
+    double jammed_at = -never;   // s, when creeping last took it nowhere
 };
 
 }  // namespace physics

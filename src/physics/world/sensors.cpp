@@ -13,7 +13,8 @@ namespace {
 // m: what is nearer to the limit than this all along is on it. Ends grazing in a sliver that bounds cannot tell apart.
 constexpr double length_rounding = 1e-12;
 
-// Legs in a row in a window of time, and a disc that holds them: a part of the ball's way like a part of a leg, if rougher.
+// Legs in a row in a window of time, and a disc that holds them: a part of the ball's way like a part of a leg, if
+// rougher.
 struct Stretch {
     std::size_t first = 0, last = 0;  // legs [first, last)
     Vec2 centre = Vec2::Zero();
@@ -29,8 +30,8 @@ struct Stretch {
     }
 };
 
-// Each watch tells what one region notices: nothing on any of a part of a ball's way, everything all along a part of a leg,
-// or the step from one place to the next.
+// Each watch tells what one region notices: nothing on any of a part of a ball's way, everything all along a part of a
+// leg, or the step from one place to the next.
 
 struct Entry {
     DiscRegion const& disc;
@@ -237,7 +238,8 @@ std::vector<Stretch> stretches_of(Trail<Leg> const& legs, double from, double to
     auto const index = [&](auto const& at) { return static_cast<std::size_t>(at - legs.begin()); };
     std::size_t const next = index(std::upper_bound(legs.begin(), legs.end(), from, after));
     std::size_t const first = next > 0 ? next - 1 : 0;
-    std::size_t const last = index(std::upper_bound(legs.begin() + static_cast<std::ptrdiff_t>(next), legs.end(), to, after));
+    std::size_t const last =
+        index(std::upper_bound(legs.begin() + static_cast<std::ptrdiff_t>(next), legs.end(), to, after));
     if (last - first < legs_in_row / 4) return {{first, last}};
     std::vector<Stretch> stretches;
     for (std::size_t i = first; i < last; i += legs_in_row)

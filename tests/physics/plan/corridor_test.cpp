@@ -78,7 +78,8 @@ TEST_CASE("so it does in a channel that it all but fills, whose far wall its hop
     for (int scene = 0; scene < 200; ++scene) {
         // One after the other, for the same scenes on every compiler.
         double const friction = in(random, 0, 1), restitution = in(random, 0.5, 0.98), angle = in(random, -0.6, 0.6);
-        double const radius = in(random, 0.1, 0.6), play = std::pow(10, in(random, -6, -1)), height = in(random, 0, 1) * play;
+        double const radius = in(random, 0.1, 0.6), play = std::pow(10, in(random, -6, -1)),
+                     height = in(random, 0, 1) * play;
         double const forwards = in(random, -3, 3), upwards = in(random, 0, 0.1), spin = in(random, -10, 10);
         Material const material{friction, restitution, 0};
         Vec2 const along(std::cos(angle), std::sin(angle)), normal(-std::sin(angle), std::cos(angle));
