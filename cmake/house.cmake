@@ -42,7 +42,8 @@ if(SMB2D_SANITIZE)
     # Whether a reference that is bound is null or leads beyond an object shows with the address sanitizer once it is
     # used; asked at every binding of Eigen's it takes a third of the time to compile.
     target_compile_options(house INTERFACE $<IF:$<BOOL:$<TARGET_PROPERTY:BRIEF>>,-O0,-O1>
-        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-sanitize=null,alignment,object-size,pointer-overflow -fno-omit-frame-pointer
+        -fsanitize=address,undefined -fno-sanitize-recover=undefined
+        -fno-sanitize=null,alignment,object-size,pointer-overflow -fno-omit-frame-pointer
         $<IF:$<CXX_COMPILER_ID:Clang>,-gline-tables-only,-g1>)
     target_link_options(house INTERFACE -fsanitize=address,undefined)
 endif()

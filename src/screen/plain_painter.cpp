@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "geometry/elementary.h"
 #include "screen/coverage.h"
 #include "screen/shape_batch.h"
 
@@ -157,7 +158,7 @@ void PlainPainter::add(view::Stroke const& stroke) {
 void PlainPainter::add(view::ArcStroke const& arc) {
     if (!(arc.width > 0) || !(arc.radius > 0)) return;
     double const half_width = std::max(arc.width, 1.0) / 2, share = std::min(1.0, arc.width);
-    double const middle = arc.from + arc.sweep / 2, half = std::min(std::abs(arc.sweep) / 2, 3.14159265358979);
+    double const middle = arc.from + arc.sweep / 2, half = std::min(std::abs(arc.sweep) / 2, geometry::pi);
     Vec2 const towards(std::cos(middle), std::sin(middle)), end(std::cos(half), std::sin(half));
     Vec2 const reach = Vec2::Constant(arc.radius + half_width + 1);
     blend_box(arc.centre - reach, arc.centre + reach, arc.colour, [&](Vec2 const& p) {

@@ -18,6 +18,8 @@ namespace {
 
 // Ground higher than this above the line of the corridor is in the way, and lower than minus this is not part of it.
 constexpr double flat = 1e-12;  // m
+// What is farther from the ball than this is not touched, rounding of the corridor's directions included. m
+constexpr double clear = 3 * touch_reach;
 // Speeds below this share of all are rounding.
 constexpr double corridor_rounding = 1e-12;
 // Joints that turn by less than this are none: a corridor has one normal. rad
@@ -74,11 +76,11 @@ bool is_free(Terrain const& terrain, Corridor const& corridor, double radius) {
     terrain.tree.each_overlapping(grown(room, radius + touch_reach), [&](int piece) {
         if (!free || piece == corridor.contact.feature) return;
         geometry::Curve const& curve = terrain.pieces[piece].curve;
-        if (nearest_point(curve, middle).distance > radius + around + 3 * touch_reach) return;
+        if (nearest_point(curve, middle).distance > radius + around + clear) return;
         Extent const extent = extent_of(curve, corridor, radius);
         bool const is_ground = extent.low >= -flat;
-        bool const is_below = extent.high <= -3 * touch_reach;
-        bool const is_above = extent.low >= 2 * radius + corridor.top + 3 * touch_reach;
+        bool const is_below = extent.high <= -clear;
+        bool const is_above = extent.low >= 2 * radius + corridor.top + clear;
         bool const is_beside =
             extent.right < corridor.low - end_margin * radius || extent.left > corridor.high + end_margin * radius;
         free = is_above || (extent.high <= flat && (is_ground || is_below || is_beside || corridor.top == 0));

@@ -85,6 +85,17 @@ std::optional<double> time_of(SenseRun const& run, int sensor = 0) {
     return std::nullopt;
 }
 
+// All events of the one at the times of the other, in the same order.
+void require_same_events(SenseRun const& once, SenseRun const& often) {
+    REQUIRE(often.history.events.size() == once.history.events.size());
+    for (std::size_t i = 0; i < once.history.events.size(); ++i) {
+        Event const &a = once.history.events[i], &b = often.history.events[i];
+        REQUIRE(a.time == b.time);
+        REQUIRE(a.kind == b.kind);
+        REQUIRE(a.other == b.other);
+    }
+}
+
 // How far outside its region a place is, m; of a line, the distance from it.
 double gap_to(Sensor const& sensor, Vec2 const& place) {
     if (auto const* d = std::get_if<DiscRegion>(&sensor.region)) return geometry::length(place - d->centre) - d->radius;
@@ -230,14 +241,9 @@ TEST_CASE("among hundreds of bounces in one window the same is noticed as when o
         Scene const scene = scene_of({floor_at(-1, 0.97)}, {ball}, random_sensors(random, 24), 1e4);
         SenseRun const once = run_of(Exact{}, scene, 4, 4), often = run_of(Exact{}, scene, 4, 1e-3);
         REQUIRE(once.history.events.size() > 100);
-        REQUIRE(often.history.events.size() == once.history.events.size());
-        for (std::size_t i = 0; i < once.history.events.size(); ++i) {
-            Event const &a = once.history.events[i], &b = often.history.events[i];
-            REQUIRE(a.time == b.time);
-            REQUIRE(a.kind == b.kind);
-            REQUIRE(a.other == b.other);
-            if (a.kind == EventKind::sensor) ++noticed;
-        }
+        require_same_events(once, often);
+        noticed += static_cast<int>(std::count_if(once.history.events.begin(), once.history.events.end(),
+                                                  [](Event const& e) { return e.kind == EventKind::sensor; }));
     }
     CHECK(noticed > 50);
 }
@@ -249,16 +255,8 @@ TEST_CASE("the same is noticed at the same times in the same order however often
         for (Method const& method : all_methods) {
             Vec2 const target(0.8 + 0.2 * round, 1);
             SenseRun const once = run_of(method, scene, 3, 3, target);
-            for (double const every : {1.0 / 60, 0.25, 1e-3}) {
-                SenseRun const often = run_of(method, scene, 3, every, target);
-                REQUIRE(often.history.events.size() == once.history.events.size());
-                for (std::size_t i = 0; i < once.history.events.size(); ++i) {
-                    Event const &a = once.history.events[i], &b = often.history.events[i];
-                    REQUIRE(a.time == b.time);
-                    REQUIRE(a.kind == b.kind);
-                    REQUIRE(a.other == b.other);
-                }
-            }
+            for (double const every : {1.0 / 60, 0.25, 1e-3})
+                require_same_events(once, run_of(method, scene, 3, every, target));
         }
     }
 }
