@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "physics/motion/leg_bounds.h"
 #include "physics/steps/contact_island.h"
 #include "physics/steps/lone_balls.h"
 
@@ -126,27 +127,56 @@ void look_for_neighbours(StepContext& context, double time) {
     context.regroup = context.relist = true;
 }
 
-// m, how far a ball on its plan can get in `time`. An impact turns speed and spin into each other, but adds to neither.
-double farthest(BodyState const& body_state, double time) {
-    State const& state = body_state.state;
+constexpr double shortest_look = 1.0 / 16, longest_look = 2;  // s ahead
+
+// m, how far a ball on its plan can get in `time` from a state. An impact turns speed and spin into each other, but
+// adds to neither, and what a spring can add is what it holds.
+double farthest(BodyState const& body_state, State const& state, double time) {
+    Field const& field = *body_state.field;
     double const speed = geometry::length(state.velocity) + body_state.ball->radius * std::abs(state.spin);
-    return time * (speed + time * geometry::length(body_state.field->gravity));
+    if (!field.pulled) return time * (speed + time * geometry::length(field.gravity));
+    Vec2 const stretch = field.target + field.gravity / field.spring.stiffness - state.position;
+    return time * (speed + std::sqrt(field.spring.stiffness) * geometry::length(stretch));
 }
 
-constexpr double clear_ahead = 0.25;  // s
+// Where a ball on its plan can be from `now` until `then`: on its leg, and anywhere that it can get to after that.
+Box reach_of_plan(BodyState const& body_state, Leg const& leg, double now, double then) {
+    double const end = std::clamp(leg.until, now, then);
+    LegPart const part(leg, now - leg.since, end - leg.since);
+    Range const x = part.along(Vec2::Zero(), Vec2::UnitX()), y = part.along(Vec2::Zero(), Vec2::UnitY());
+    Box box{{x.low, y.low}, {x.high, y.high}};
+    if (end < then) {
+        State const state = at(leg, end);
+        Vec2 const margin = Vec2::Constant(farthest(body_state, state, then - end));
+        box.low = box.low.cwiseMin(state.position - margin);
+        box.high = box.high.cwiseMax(state.position + margin);
+    }
+    Vec2 const radius = Vec2::Constant(body_state.ball->radius);
+    return {box.low - radius, box.high + radius};
+}
+
+bool any_overlap(std::vector<Box>& boxes) {
+    std::sort(boxes.begin(), boxes.end(), [](Box const& a, Box const& b) { return a.low.x() < b.low.x(); });
+    for (auto a = boxes.begin(); a != boxes.end(); ++a)
+        for (auto b = a + 1; b != boxes.end() && b->low.x() <= a->high.x(); ++b)
+            if (b->low.y() <= a->high.y() && a->low.y() <= b->high.y()) return true;
+    return false;
+}
 
 }  // namespace
 
-double clear_span(StepContext& context) {
-    if (!context.ball_pairs.empty() || context.pulled >= 0) return 0;
-    std::vector<Box> const near = context.fat_boxes;
-    for (BodyState const& body_state : context.body_states) {
-        Vec2 const margin = Vec2::Constant(body_state.ball->radius + farthest(body_state, clear_ahead));
-        context.fat_boxes[body_state.index] = {body_state.state.position - margin, body_state.state.position + margin};
+double clear_span(StepContext const& context, double now) {
+    if (!context.ball_pairs.empty()) return 0;
+    double clear = 0;
+    std::vector<Box> boxes;
+    for (double span = shortest_look; span <= longest_look; span *= 2) {
+        boxes.clear();
+        for (BodyState const& body_state : context.body_states)
+            boxes.push_back(reach_of_plan(body_state, context.world.legs[body_state.index], now, now + span));
+        if (any_overlap(boxes)) break;
+        clear = span;
     }
-    bool const is_clear = near_pairs(context).empty();
-    context.fat_boxes = near;
-    return is_clear ? clear_ahead : 0;
+    return clear;
 }
 
 void mark_alone(StepContext& context) {

@@ -12,8 +12,8 @@ void find_neighbours(StepContext& context, double step);
 // alone have had their step already: they are met in the next.
 void find_more_neighbours(StepContext& context, std::vector<int> const& balls);
 
-// For how long it is certain that no ball comes near another; 0 s where that is not known.
-double clear_span(StepContext& context);
+// For how long from `now` on it is certain that no ball comes near another; 0 s where that is not known.
+double clear_span(StepContext const& context, double now);
 
 // Who has no neighbours.
 void mark_alone(StepContext& context);

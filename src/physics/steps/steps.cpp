@@ -122,7 +122,18 @@ void take_step(StepContext& context, Steps const& method, double since, double t
     for (std::size_t i = 0; i < context.alone.size(); ++i) world.in_step[i] = !context.alone[i];
     write_step(context, since, then);
     bool const was_clear = since - world.clear_until < context.step;
-    if (was_clear || world.steps_taken % steps_between_looks == 0) world.clear_until = since + clear_span(context);
+    if (was_clear || world.steps_taken % steps_between_looks == 0)
+        world.clear_until = since + clear_span(context, since);
+}
+
+// The first step after those taken that is not before `time`, s.
+long long next_step(World const& world, double rate, double time) {
+    long long step = world.steps_taken + 1;
+    // Counted on from just below, as the quotient is rounded.
+    if (time > time_of_step(world, rate, step))
+        step = std::max(step, static_cast<long long>((time - world.step_origin) * rate) - 1);
+    while (time_of_step(world, rate, step) < time) ++step;
+    return step;
 }
 
 void follow_all(Scene const& scene, World& world, History& history, double until) {
@@ -164,9 +175,8 @@ void advance_with(Steps const& method, Scene const& scene, World& world, double 
         if (world.time >= then) {
             double const since = then;
             learn_of_forces(scene, world, history, since);
-            do {
-                then = time_of_step(world, method.rate, ++world.steps_taken);
-            } while (then < world.clear_until && then < until);
+            world.steps_taken = next_step(world, method.rate, std::min(world.clear_until, until));
+            then = time_of_step(world, method.rate, world.steps_taken);
             if (since >= world.clear_until) {
                 if (!context) context.emplace(stage_of(method, scene, world, history));
                 take_step(*context, method, since, then);
