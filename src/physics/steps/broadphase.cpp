@@ -217,6 +217,7 @@ bool group(StepContext& context) {
     std::size_t const count = context.body_states.size();
     context.leaning.assign(count, 0);
     context.live.clear();
+    context.pairs_of.clear();
     context.island.pairs.clear();
     for (std::size_t k = 0; k < context.ball_pairs.size(); ++k) {
         BallPair const& pair = context.ball_pairs[k];

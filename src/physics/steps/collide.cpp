@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "physics/steps/firm_contacts.h"
 #include "physics/steps/hits.h"
@@ -123,6 +124,8 @@ Touching touching_of(StepContext const& context, Substep const& substep, int pai
     BallPair const& e = context.ball_pairs[pair];
     BodyState const& a = context.body_states[e.first];
     BodyState const& b = context.body_states[e.second];
+    Vec2 const relative = b.state.velocity - a.state.velocity;
+    if (e.leaning && dot(relative, relative) <= soft.fall * soft.fall) return {pair, never, soft.fall};
     double const rounding = unmoving * (length(a.state.velocity) + length(b.state.velocity));
     double const least = e.leaning ? rounding + soft_closing_of(context, e, soft) : rounding;
     if (e.leaning && closing_of(context, e) <= least) return {pair, never, least};
@@ -139,32 +142,35 @@ std::vector<Touching> touchings_of(StepContext const& context, Substep const& su
     return touchings;
 }
 
-// Parted so that those that share balls are in one bunch, in order.
-std::vector<std::vector<Touching>> bunches_of(StepContext const& context, std::vector<Touching> const& due) {
-    std::vector<std::vector<Touching>> bunches;
-    std::vector<char> taken(due.size(), 0);
+// Touchings of one moment, in bunches of so many.
+struct Bunches {
+    std::vector<Touching> touchings;
+    std::vector<std::size_t> sizes;
+};
+
+// Those that share balls are brought together: whoever shares one with the first of a bunch comes next, in order, and
+// so on; the others keep theirs.
+Bunches bunches_of(StepContext const& context, std::vector<Touching> due) {
+    Bunches bunches;
     auto const share = [&](Touching const& a, Touching const& b) {
         BallPair const& e = context.ball_pairs[a.pair];
         BallPair const& f = context.ball_pairs[b.pair];
         return e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second;
     };
-    for (std::size_t i = 0; i < due.size(); ++i) {
-        if (taken[i]) continue;
-        std::vector<Touching> bunch{due[i]};
-        for (std::size_t n = 0; n < bunch.size(); ++n)
-            for (std::size_t j = i + 1; j < due.size(); ++j) {
-                if (taken[j] || !share(bunch[n], due[j])) continue;
-                taken[j] = 1;
-                bunch.push_back(due[j]);
-            }
-        bunches.push_back(bunch);
+    for (auto begin = due.begin(), end = begin; begin != due.end(); begin = end) {
+        ++end;
+        for (auto member = begin; member != end; ++member)
+            for (auto other = end; other != due.end(); ++other)
+                if (share(*member, *other)) std::rotate(end++, other, other + 1);
+        bunches.sizes.push_back(static_cast<std::size_t>(end - begin));
     }
+    bunches.touchings = std::move(due);
     return bunches;
 }
 
 // Takes those out that come before all others of their balls, to rounding; those of one moment that share balls one
 // after the other, by bunches.
-std::vector<std::vector<Touching>> taken_due(StepContext& context, std::vector<Touching>& touchings, double moment) {
+Bunches taken_due(StepContext& context, std::vector<Touching>& touchings, double moment) {
     std::vector<double>& soonest = context.soonest;
     soonest.resize(context.body_states.size(), never);
     auto const each_ball = [&](auto const& visit) {
@@ -178,14 +184,14 @@ std::vector<std::vector<Touching>> taken_due(StepContext& context, std::vector<T
         return touching.time <= std::min(soonest[e.first], soonest[e.second]) + moment;
     };
     auto const rest = std::stable_partition(touchings.begin(), touchings.end(), is_due);
-    std::vector<Touching> const due(touchings.begin(), rest);
+    std::vector<Touching> due(touchings.begin(), rest);
     each_ball([](Touching const&, double& time) { time = never; });
     touchings.erase(touchings.begin(), rest);
-    return bunches_of(context, due);
+    return bunches_of(context, std::move(due));
 }
 
 // Those of one moment that share balls hit together. Answers whether any does.
-bool strike_bunch(StepContext& context, Substep const& substep, std::vector<Touching> const& bunch) {
+bool strike_bunch(StepContext& context, Substep const& substep, std::span<Touching const> bunch) {
     double time = never;
     std::vector<int> balls;
     for (Touching const& touching : bunch) {
@@ -289,10 +295,7 @@ std::vector<int> struck_pairs(StepContext& context) {
         if (context.struck[i]) balls.push_back(static_cast<int>(i));
     note_bodies(context, balls);
     find_more_neighbours(context, balls);
-    if (context.relist) {
-        group(context);
-        context.pairs_of.clear();
-    }
+    if (context.relist) group(context);
     if (context.pairs_of.empty()) list_pairs_of_balls(context);
     std::vector<int> struck;
     for (int const ball : balls) {
@@ -317,13 +320,16 @@ bool pulled_hard(StepContext const& context, Substep const& substep) {
 // decides. Answers whether there was any hit.
 bool hit_all(StepContext& context, Substep const& substep, std::vector<int> pairs, Softly const& soft) {
     bool any = false;
-    context.pairs_of.clear();
     for (int pass = 0; pass < most_passes; ++pass) {
         std::vector<Touching> touchings = touchings_of(context, substep, pairs, soft);
         if (touchings.empty()) return any;
         bool hits = false;
-        for (std::vector<Touching> const& bunch : taken_due(context, touchings, together * substep.length))
-            hits = strike_bunch(context, substep, bunch) || hits;
+        Bunches const bunches = taken_due(context, touchings, together * substep.length);
+        auto begin = bunches.touchings.begin();
+        for (std::size_t const size : bunches.sizes) {
+            hits = strike_bunch(context, substep, {begin, size}) || hits;
+            begin += static_cast<std::ptrdiff_t>(size);
+        }
         any = any || hits;
         if (!hits) return any;
         for (Touching const& waiting : touchings)

@@ -53,8 +53,10 @@ void leave(StepContext& context, World& world) {
     if (!context.looked_anew) world.fat_boxes = std::move(context.fat_boxes);
 }
 
+// Who was asleep in the step before is still where he was.
 void see_where_all_are(StepContext& context, double now) {
     for (BodyState& body_state : context.body_states) {
+        if (context.asleep[body_state.index]) continue;
         Leg const& leg = context.world.legs[body_state.index];
         body_state.state = at(leg, now);
         body_state.contact = leg.contact;
