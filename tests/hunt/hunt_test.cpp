@@ -72,6 +72,16 @@ TEST_CASE("what the hunt has found stays mended") {
         {"gaps", 93480},            // in a valley of 3e-13 rad, hops below rounding for ever
         {"gaps", 95648},            // dropped between the feet of two lines that turn by 4e-8 rad: through
         {"narrow+player", 70987},   // between two walls as far apart as the ball is wide, 6,000 times to and fro
+        {"zero-g+player", 100483},  // drawn up past a wall and an end by which it was held, in one order of the two
+        {"gaps", 100007},           // dropped on a joint: the piece that came first in the file
+        {"gaps", 300586},           // and the one that rounding made the faster
+        {"arcs", 100289},           // straight down on the end of a wall, grazed within rounding
+        {"grid", 100192},           // back on to an arc along its tangent, 1e-8 m sooner or later
+        {"grid", 100646},           // met within touch of an end, before its gap closed
+        {"gaps", 100886},           // a joint of 3e-6 rad, whose tracks cross anywhere within 1e-9 m
+        {"narrow", 100243},         // into an arc of its own radius, met past its middle
+        {"narrow", 90091},          // out of it along a tangent
+        {"narrow", 82877},          // and over its other end
     };
     for (Found const& found : all) hold(physics::Exact{}, found.kind, found.seed);
 }

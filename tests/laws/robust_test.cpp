@@ -19,8 +19,7 @@ double deepest(std::vector<physics::Piece> const& drawn, Run& run, double until)
     for (int i = 1; i <= until * 997; ++i) {
         run.to(i / 997.0);
         for (physics::Piece const& piece : drawn)
-            deepest = std::max(deepest,
-                               radius - geometry::nearest_point(piece.curve, run.state().position).distance);
+            deepest = std::max(deepest, radius - geometry::nearest_point(piece.curve, run.state().position).distance);
     }
     CHECK(count_of(run.history, EventKind::handover) == 0);
     return deepest;
@@ -78,6 +77,61 @@ TEST_CASE("what is drawn twice, there and back or in parts is as if drawn once")
     CHECK(geometry::length(ice.position - once.position) <= 1e-9);
 }
 
+TEST_CASE("dropped on a joint, a ball bounces alike in whichever order its two surfaces are drawn") {
+    Vec2 const left{0, 0}, joint{8, 0}, right{16, 0};
+    physics::Material const hard = material(0.9, 0.8), soft = material(0.1, 0.2);
+    std::vector<physics::State> bounced;
+    for (auto const& pieces : {std::vector{line(left, joint, hard), line(joint, right, soft)},
+                               std::vector{line(joint, right, soft), line(left, joint, hard)},
+                               std::vector{line(right, joint, soft), line(joint, left, hard)}}) {
+        Run run(physics::Exact{}, scene_of(pieces, {disc_at({8, 3}, {0, 0}, 4)}));
+        run.to(1);
+        bounced.push_back(run.history.events.front().state);
+        // What rubs most is what it meets.
+        CHECK(bounced.back().velocity.y() == doctest::Approx(0.8 * std::sqrt(2 * g * 2.5)).epsilon(1e-14));
+        CHECK(same_bits(bounced.back(), bounced.front()));
+    }
+}
+
+TEST_CASE("past the end of an upright wall and back, a ball lands where it left, however the ground is cut") {
+    for (Vec2 const& origin : {Vec2(0, 0), Vec2(37.3, 11.7), Vec2(-5.1, 80.9)})
+        for (double share = 0.05; share < 1; share += 0.05) {
+            Vec2 const centre = origin + Vec2(0, 2.5);
+            double const first = share * pi / 2;
+            std::vector<physics::Piece> const pieces{line(origin - Vec2(20, 0), origin, material(0)),
+                                                     arc(centre, 2.5, -pi / 2, first, material(0)),
+                                                     arc(centre, 2.5, -pi / 2 + first, pi / 2 - first, material(0)),
+                                                     line(centre + Vec2(2.5, 0), centre + Vec2(2.5, 1), material(0))};
+            Run run(physics::Exact{}, scene_of(pieces, {disc_at(origin + Vec2(-2, 0.5), {12, 0})}));
+            run.to(4);
+            double left = 0, landed = 0;
+            for (physics::Event const& event : run.history.events) {
+                if (event.kind == EventKind::lift) left = event.time;
+                if (event.kind == EventKind::land && landed == 0) landed = event.time;
+            }
+            // It has risen by 2 m, the radius of its centre's way.
+            CHECK(landed - left == doctest::Approx(2 * std::sqrt(144 - 4 * g) / g).epsilon(1e-12));
+        }
+}
+
+TEST_CASE("out of an arc of its own radius a ball rolls on along the tangent, however the arc is cut") {
+    Vec2 const centre{8, 4};
+    double const end = -0.5;  // rad, the right end of the cup, which begins as far to the left of its bottom
+    Vec2 const right = centre + 0.5 * Vec2(std::cos(end), std::sin(end)), along(-std::sin(end), std::cos(end));
+    std::vector<physics::State> left;
+    for (double share = 0; share < 1; share += 0.1) {
+        double const sweep = pi + 2 * end;
+        std::vector<physics::Piece> pieces{line(right, right + 5 * along, material(0.9))};
+        if (share > 0) pieces.push_back(arc(centre, 0.5, -pi - end, share * sweep, material(0.9)));
+        pieces.push_back(arc(centre, 0.5, -pi - end + share * sweep, (1 - share) * sweep, material(0.9)));
+        left.push_back(state_after(physics::Exact{}, scene_of(pieces, {disc_at(centre, {8, 1.5})}), 0.1));
+        Vec2 const way = left.back().position - centre;
+        CHECK(geometry::dot(way, along) > 0.1);
+        CHECK(std::abs(geometry::cross(along, way)) <= 1e-12);
+        CHECK(geometry::length(left.back().position - left.front().position) <= 1e-12);
+    }
+}
+
 TEST_CASE("a ball falls through a hole as wide as itself, without friction") {
     std::vector<physics::Piece> const pieces{line({0, 0}, {8, 0}, material(0)), line({9, 0}, {16, 0}, material(0))};
     Run run(physics::Exact{}, scene_of(pieces, {disc_at({7, 0.5}, {1, 0})}));
@@ -119,7 +173,8 @@ TEST_CASE("bounces of restitution 0.999 end at the time of their sum") {
 
 TEST_CASE("held by the spring in a corner of restitution 1 a ball comes to rest") {
     physics::Material const of = material(0.1, 1, 0.05);
-    Run run(physics::Exact{}, scene_of({line({0, 8}, {0, 0}, of), line({0, 0}, {16, 0}, of)}, {disc_at({3, 3}, {1, 2})}));
+    Run run(physics::Exact{},
+            scene_of({line({0, 8}, {0, 0}, of), line({0, 0}, {16, 0}, of)}, {disc_at({3, 3}, {1, 2})}));
     run.pull(0, {-2, -1});
     run.to(6);
     CHECK(run.leg().phase == Phase::rest);

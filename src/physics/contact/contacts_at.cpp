@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "geometry/elementary.h"
 
@@ -128,36 +129,71 @@ private:
     double radius_;
 };
 
-// The normal of a socket nearest to a direction.
-Vec2 nearest_normal(ContactPoint const& socket, Vec2 const& direction) {
-    double const sign = socket.normals_turn < 0 ? -1 : 1, span = std::abs(socket.normals_turn);
-    double past = sign * (geometry::arctangent(direction.y(), direction.x()) - socket.normals_from);
-    past -= 2 * geometry::pi * std::floor(past / (2 * geometry::pi));
-    if (past <= span) return direction / geometry::length(direction);
-    double const turn = past - span < 2 * geometry::pi - past ? span : 0;
-    auto const [sine, cosine] = geometry::sine_cosine(socket.normals_from + sign * turn);
-    return {cosine, sine};
+// Which of two points counts first where nothing else tells them apart: never by how they were drawn. What rubs,
+// bounces and resists most; then by where it is. Points of one socket stay together.
+bool counts_before(Terrain const& terrain, ContactPoint const& a, ContactPoint const& b) {
+    auto const place = [&](ContactPoint const& point) {
+        Material const& material = material_of(terrain, point.contact.feature);
+        bool const is_socket = point.normals_turn != 0;
+        Vec2 const where = is_socket ? Vec2(point.normals_from, point.normals_turn) : point.normal;
+        return std::make_tuple(-material.friction, -material.restitution, -material.rolling_resistance, is_socket,
+                               where.x(), where.y(), point.contact.feature);
+    };
+    return place(a) < place(b);
 }
 
-// The points with which features push that are touched by a ball that moves and is drawn so: for each socket those
-// against both.
+double within_a_turn(double angle) { return angle - 2 * geometry::pi * std::floor(angle / (2 * geometry::pi)); }
+
+bool has_normal(ContactPoint const& socket, double angle) {
+    double const sign = socket.normals_turn < 0 ? -1 : 1;
+    double const past = within_a_turn(sign * (angle - socket.normals_from) + same_normal);
+    return past <= std::abs(socket.normals_turn) + 2 * same_normal;
+}
+
+ContactPoint with_normal(ContactPoint socket, double angle) {
+    auto const [sine, cosine] = geometry::sine_cosine(angle);
+    socket.normal = {cosine, sine};
+    return socket;
+}
+
+// Sockets push against a way of the ball as one, however they are drawn: right against it or, where none has such a
+// normal, from the nearest ends on either side.
+void add_pushing(std::vector<ContactPoint>& points, std::vector<ContactPoint> const& sockets, Vec2 const& way) {
+    double const against = geometry::arctangent(-way.y(), -way.x());
+    double left = never, right = never;  // rad, from `against`
+    ContactPoint at_left, at_right;
+    for (ContactPoint const& socket : sockets) {
+        if (has_normal(socket, against)) {
+            points.push_back(socket);
+            points.back().normal = -way / geometry::length(way);
+            return;
+        }
+        for (double const end : {socket.normals_from, socket.normals_from + socket.normals_turn}) {
+            double const past = within_a_turn(end - against);
+            if (past < left) left = past, at_left = with_normal(socket, end);
+            if (2 * geometry::pi - past < right) right = 2 * geometry::pi - past, at_right = with_normal(socket, end);
+        }
+    }
+    points.push_back(at_left);
+    points.push_back(at_right);
+}
+
+// The points with which features push that are touched by a ball that moves and is drawn so: sockets against its motion
+// and, where it does not close on them, against what draws it.
 std::vector<ContactPoint> pushing(std::vector<ContactPoint> const& all, Vec2 const& velocity, Vec2 const& acceleration,
                                   double rounding) {
-    std::vector<ContactPoint> points;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].normals_turn == 0) {
-            points.push_back(all[i]);
-            continue;
-        }
-        if (i > 0 && all[i - 1].contact == all[i].contact && all[i - 1].normals_turn != 0) continue;
-        auto const add = [&](Vec2 const& way, double least) {
-            if (!(geometry::length(way) > least)) return;
-            points.push_back(all[i]);
-            points.back().normal = nearest_normal(all[i], -way);
-        };
-        add(velocity, rounding);
-        add(acceleration, 0);
-    }
+    std::vector<ContactPoint> points, sockets;
+    for (ContactPoint const& point : all)
+        if (point.normals_turn == 0)
+            points.push_back(point);
+        else if (sockets.empty() || sockets.back().contact != point.contact)
+            sockets.push_back(point);
+    if (sockets.empty()) return points;
+    std::size_t const first = points.size();
+    if (geometry::length(velocity) > rounding) add_pushing(points, sockets, velocity);
+    bool const closes = std::any_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
+                                    [&](ContactPoint const& p) { return dot(velocity, p.normal) < -rounding; });
+    if (!closes && geometry::length(acceleration) > 0) add_pushing(points, sockets, acceleration);
     return points;
 }
 
@@ -172,9 +208,8 @@ std::vector<ContactPoint> contacts_at(Terrain const& terrain, Vec2 const& centre
     Finder finder(terrain, centre, radius);
     terrain.tree.each_near(geometry::stroke_of(centre, centre, radius + touch_reach),
                            [&](int piece) { finder.look_at(piece); });
-    std::stable_sort(finder.points.begin(), finder.points.end(), [](ContactPoint const& a, ContactPoint const& b) {
-        return a.contact.feature < b.contact.feature;
-    });
+    std::stable_sort(finder.points.begin(), finder.points.end(),
+                     [&](ContactPoint const& a, ContactPoint const& b) { return counts_before(terrain, a, b); });
     return std::move(finder.points);
 }
 
@@ -197,6 +232,8 @@ std::vector<ContactPoint> kept_apart(std::vector<ContactPoint> const& all, Vec2 
         bool const a_behind = is_left_behind(a, velocity, acceleration, rounding);
         bool const b_behind = is_left_behind(b, velocity, acceleration, rounding);
         if (a_behind != b_behind) return b_behind;
+        // Out of a socket the ball goes on along its neighbour.
+        if ((a.normals_turn != 0) != (b.normals_turn != 0)) return b.normals_turn != 0;
         return second_derivative(a, velocity, acceleration) < second_derivative(b, velocity, acceleration);
     };
     for (ContactPoint const& point : pushing(all, velocity, acceleration, rounding)) {

@@ -25,9 +25,11 @@ inline double still_speed(Vec2 const& centre, double radius, double speed, doubl
     return (rate_rounding + place_rounding(centre, radius)) * (speed + std::sqrt(pull * radius));
 }
 
-// A gap that closes but opens again before it is deeper than this has not closed, m. A search for contacts is twice as
-// lenient again.
-inline constexpr double least_dip = 1e-15;
+// A gap that closes but opens again before it is deeper than this has not closed, m: some roundings of the place. A
+// search for contacts is twice as lenient, and four times where a gap opens and closes again.
+inline double least_dip(Vec2 const& centre) {
+    return 1e-15 + 9e-16 * std::max(std::abs(centre.x()), std::abs(centre.y()));
+}
 // How deep a gap of 0 with this rate (m/s, closing below 0) and this second derivative (m/s^2) becomes, m.
 inline double dip_of(double rate, double bend) { return bend > 0 ? rate * rate / (2 * bend) : never; }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/elementary.h"
 #include "geometry/polynomial.h"
@@ -41,6 +42,7 @@ public:
 
 private:
     static constexpr int most_edges = 2;
+    static constexpr int most_grazes = 4;  // of one gap, that a path comes to
     using Linear = decltype(std::declval<Path>().to_line(Vec2(), Vec2(), 0.0));
 
     // Where a ball has its nearest point on a feature between the feature's ends: where all edges are below
@@ -65,6 +67,12 @@ private:
         if (t < first.time || (t == first.time && contact.feature < first.contact.feature)) first = {t, contact};
     }
 
+    // Whether a gap that closes here opens again at once.
+    template <std::size_t N>
+    bool grazes(std::array<double, N> const& gap, double metre, double t) const {
+        return gap[1] < 0 && dip_of(gap[1], 2 * gap[2]) - std::max(gap[0], 0.0) <= 2 * least_dip(path_.at(t)) * metre;
+    }
+
     // How a gap stands at the beginning of a stretch of the path.
     enum class Stand { open, met, opens };
 
@@ -75,8 +83,7 @@ private:
         if (gap[0] > touch_reach * metre) return Stand::open;
         double const speed = path_.speed(t), pull = path_.pull(t);
         double const still = 2 * still_speed(path_.at(t), radius_, speed, pull) * metre;
-        bool const grazes = gap[1] < 0 && dip_of(gap[1], 2 * gap[2]) <= 2 * least_dip * metre;
-        if (gap[1] < -still && !grazes) return Stand::met;
+        if (gap[1] < -still && !grazes(gap, metre, t)) return Stand::met;
         if (gap[0] < 0 && gap[0] >= -touch_reach * metre) gap[0] = 0;
         if (gap[1] > still) return Stand::opens;
         gap[1] = 0;
@@ -100,22 +107,53 @@ private:
             auto const fall = geometry::first_fall(gap, until);
             if (!fall) return;
             Domain const domain = make_domain();
-            if (domain.holds(*fall)) return offer(*fall, contact);
+            if (domain.holds(*fall) && !grazes(gap_from(*fall, gap, gap_of), metre, *fall))
+                return offer(*fall, contact);
             look_through(domain, gap, gap_of, metre, bend, contact, until, in_front);
             return;
         }
         // A gap that is closed, but not by the ball where it is, must open before it can close.
         // Into a socket, whose gap never opens, the ball comes past the ends.
-        bool const comes_up = metre < 4 * socket_play || gap[0] >= -touch_reach * metre || in_front(0) ||
-                              rises_to_touch(gap, metre, until);
+        bool const comes_up =
+            is_to_socket(metre) || gap[0] >= -touch_reach * metre || in_front(0) || rises_to_touch(gap, metre, until);
         if (comes_up) look_through(make_domain(), gap, gap_of, metre, bend, contact, until, in_front);
     }
+
+    static bool is_to_socket(double metre) { return metre < 4 * socket_play; }
 
     template <std::size_t N>
     static bool rises_to_touch(std::array<double, N> gap, double metre, double until) {
         for (double& c : gap) c = -c;
         gap[0] -= touch_reach * metre;
         return geometry::first_fall(gap, until).has_value();
+    }
+
+    // Where a gap that hardly opens closes again: rounding alone would tell where else it does, as where an arc is met
+    // along its tangent at its end.
+    template <std::size_t N>
+    std::optional<double> top_of_least_rise(std::array<double, N> const& gap, double metre, double t) const {
+        if (!(gap[1] > 0 && gap[2] < 0)) return std::nullopt;
+        double const top = gap[1] / (-2 * gap[2]);
+        double const least = is_to_socket(metre) ? touch_reach : 4 * least_dip(path_.at(t));
+        if (gap[0] + 0.5 * top * gap[1] > least * metre) return std::nullopt;
+        return top;
+    }
+
+    // When a gap that stands so at `from` first closes before `to` to stay closed.
+    template <std::size_t N, typename MakeGap>
+    std::optional<double> fall_within(std::array<double, N> from_here, std::array<double, N> const& gap,
+                                      MakeGap const& gap_of, double metre, double bend, double from, double to) const {
+        for (int graze = 0;; ++graze) {
+            auto const fall = geometry::first_fall(from_here, to - from);
+            if (!fall) return std::nullopt;
+            from += *fall;
+            std::array<double, N> const there = gap_from(from, gap, gap_of);
+            if (graze == most_grazes || !grazes(there, metre, from)) return from;
+            from -= there[1] / (2 * there[2]);
+            if (!(from < to)) return std::nullopt;
+            from_here = gap_from(from, gap, gap_of);
+            if (stand_at(from_here, metre, from, bend) == Stand::met) return from;
+        }
     }
 
     // Stretch by stretch of the path within the domain.
@@ -154,9 +192,14 @@ private:
             if (to < until && goes_nowhere) continue;
             if (!in_front(from)) continue;
             std::array<double, N> from_here = gap_from(from, gap, gap_of);
-            if (stand_at(from_here, metre, from, bend) == Stand::met) return offer(from, contact);
-            auto const fall = geometry::first_fall(from_here, to - from);
-            if (fall) return offer(from + *fall, contact);
+            Stand const stand = stand_at(from_here, metre, from, bend);
+            // Past the end of the feature a gap within touch is as good as any other: it closes when it does.
+            bool const comes_past = from > 0 && from_here[0] > 0;
+            if (stand == Stand::met && !comes_past) return offer(from, contact);
+            if (auto const top = top_of_least_rise(from_here, metre, from); from > 0 && top && *top < to - from)
+                return offer(from + *top, contact);
+            if (auto const fall = fall_within(from_here, gap, gap_of, metre, bend, from, to))
+                return offer(*fall, contact);
         }
     }
 
@@ -192,6 +235,8 @@ private:
         look([&](Path const& path) { return path.to_circle(arc.centre, outer); }, 2 * outer, 1 / outer,
              {index, -inner_side}, until, make_domain, [&](double t) { return distance(t) > arc.radius; });
         if (inner < -touch_reach) return;
+        // On a track round its end a ball leaves a socket, or comes to it where the track ends.
+        if (inner <= socket_play && ends_in_own(index)) return;
         double const rho = std::max(inner, 0.0);
         auto const gap_of = [&](Path const& path) {
             auto gap = path.to_circle(arc.centre, rho);
@@ -204,6 +249,11 @@ private:
         look(
             gap_of, 2 * rho + touch_reach, 1 / (rho + touch_reach), {index, inner_side}, until, make_domain,
             [&](double t) { return distance(t) < arc.radius; }, left);
+    }
+
+    bool ends_in_own(int index) const {
+        auto const is_own = [&](int vertex) { return vertex >= 0 && terrain_.feature_of_vertex(vertex) == own_; };
+        return is_own(terrain_.start_vertex[index]) || is_own(terrain_.end_vertex[index]);
     }
 
     // A ball in a socket closes on it where it moves towards one of its points; of those of less than half a turn it is

@@ -58,16 +58,21 @@ void rub(MotionContext const& context, State& state, Vec2 const& normal, double 
     set_speeds(context, state, normal, speeds);
 }
 
-// The supports that the ball closes on, fastest first.
+// The supports that the ball closes on, fastest first. Of those that rounding alone would tell from the fastest the
+// first is the one that counts first.
 std::vector<std::size_t> closing_supports(MotionContext const& context, Struck const& struck) {
     std::vector<std::size_t> closing;
     auto const speed = [&](std::size_t i) { return dot(struck.state.velocity, struck.points[i].normal); };
     Vec2 const pull = acceleration_in(context.field, struck.state.position, struck.state.velocity);
+    double const least = least_dip(struck.state.position);
     for (std::size_t i = 0; i < struck.points.size(); ++i)
         if (speed(i) < -struck.still &&
-            dip_of(speed(i), second_derivative(struck.points[i], struck.state.velocity, pull)) > least_dip)
+            dip_of(speed(i), second_derivative(struck.points[i], struck.state.velocity, pull)) > least)
             closing.push_back(i);
-    std::stable_sort(closing.begin(), closing.end(), [&](std::size_t i, std::size_t j) { return speed(i) < speed(j); });
+    double fastest = 0;
+    for (std::size_t const i : closing) fastest = std::min(fastest, speed(i));
+    auto const rank = [&](std::size_t i) { return speed(i) <= (1 - equal_speeds) * fastest ? fastest : speed(i); };
+    std::stable_sort(closing.begin(), closing.end(), [&](std::size_t i, std::size_t j) { return rank(i) < rank(j); });
     return closing;
 }
 

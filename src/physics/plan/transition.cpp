@@ -128,6 +128,17 @@ Transition after_search(MotionContext const& context, Leg const& leg, BallPlan c
     return transition;
 }
 
+// Out of flight along the tangent of a surface a ball lands on it without a blow, or passes it.
+Transition out_of_flight(Transition transition, Leg const& before) {
+    Leg const& leg = transition.plan.leg;
+    auto const& told = transition.contact_events;
+    bool const flew = before.phase == Phase::flight && before.contact.feature < 0;
+    if (flew && told.empty() && leg.phase != Phase::flight && transition.plan.end.cause != LegEndCause::settles)
+        return with_event(transition, EventKind::land, leg.contact);
+    if (flew && told.size() == 1 && told.front().kind == EventKind::lift) transition.contact_events.clear();
+    return transition;
+}
+
 }  // namespace
 
 Transition after_end(MotionContext const& context, Leg const& leg, BallPlan const& plan) {
@@ -137,7 +148,7 @@ Transition after_end(MotionContext const& context, Leg const& leg, BallPlan cons
         case LegEndCause::goes_on:
             return after_search(context, leg, plan);
         case LegEndCause::meets:
-            return resolved(context, at_span(leg, plan.end.time), now, plan.end.next);
+            return out_of_flight(resolved(context, at_span(leg, plan.end.time), now, plan.end.next), leg);
         case LegEndCause::joins:
         case LegEndCause::turns:
             return after_track(context, leg, plan);
