@@ -177,12 +177,14 @@ void advance_with(Steps const& method, Scene const& scene, World& world, double 
         if (world.time >= then) {
             double const since = then;
             learn_of_forces(scene, world, history, since);
+            bool const looks = since >= world.clear_until;
+            if (looks && !context) context.emplace(stage_of(method, scene, world, history));
+            // Where nobody was near another until now, the next look comes first.
+            if (looks && since - world.clear_until < context->step)
+                world.clear_until = since + clear_span(*context, since);
             world.steps_taken = next_step(world, method.rate, std::min(world.clear_until, until));
             then = time_of_step(world, method.rate, world.steps_taken);
-            if (since >= world.clear_until) {
-                if (!context) context.emplace(stage_of(method, scene, world, history));
-                take_step(*context, method, since, then);
-            }
+            if (since >= world.clear_until) take_step(*context, method, since, then);
         }
         double const to = std::min(then, until);
         follow_all(scene, world, history, to);
