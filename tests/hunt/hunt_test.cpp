@@ -82,6 +82,7 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 100243},         // into an arc of its own radius, met past its middle
         {"narrow", 90091},          // out of it along a tangent
         {"narrow", 82877},          // and over its other end
+        {"narrow", 97347},          // on both corners of a slot at once: 6e-8 of its energy more
     };
     for (Found const& found : all) hold(physics::Exact{}, found.kind, found.seed);
 }

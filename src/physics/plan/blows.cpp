@@ -83,14 +83,18 @@ bool strike_both(MotionContext const& context, Struck& struck, std::size_t i, st
     ContactPoint const& b = struck.points[j];
     Material const& of_a = material_of(context.terrain, a.contact.feature);
     Material const& of_b = material_of(context.terrain, b.contact.feature);
-    double const cosine = dot(a.normal, b.normal), sine_square = 1 - cosine * cosine;
-    if (sine_square < parallel) return false;
+    double const sine = geometry::cross(a.normal, b.normal);
+    if (sine * sine < parallel) return false;
     double const e_a = context.crowded ? 0 : of_a.restitution, e_b = context.crowded ? 0 : of_b.restitution;
-    double const p = -(1 + e_a) * dot(struck.state.velocity, a.normal);
-    double const q = -(1 + e_b) * dot(struck.state.velocity, b.normal);
-    double const push_a = (p - cosine * q) / sine_square, push_b = (q - cosine * p) / sine_square;
+    Vec2 const before = struck.state.velocity;
+    // By the speeds along both normals that it has afterwards: where they are nearly opposite the pushes are far
+    // greater.
+    double const along_a = -e_a * dot(before, a.normal), along_b = -e_b * dot(before, b.normal);
+    Vec2 const after = (along_a * geometry::turned_right(b.normal) - along_b * geometry::turned_right(a.normal)) / sine;
+    double const push_a = geometry::cross(Vec2(after - before), b.normal) / sine;
+    double const push_b = geometry::cross(a.normal, Vec2(after - before)) / sine;
     if (push_a < 0 || push_b < 0) return false;
-    struck.state.velocity += push_a * a.normal + push_b * b.normal;
+    struck.state.velocity = after;
     // Neither rubs first: the mean of both orders, which has no more energy than they.
     State a_first = struck.state, b_first = struck.state;
     rub(context, a_first, a.normal, of_a.friction * push_a);
