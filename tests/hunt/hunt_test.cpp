@@ -82,6 +82,9 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 100243},         // into an arc of its own radius, met past its middle
         {"narrow", 90091},          // out of it along a tangent
         {"narrow", 82877},          // and over its other end
+        {"narrow", 600417},         // lifted off the inner arc of a slot where the third derivative alone closes the outer gap
+        {"narrow", 601096},         // the same
+        {"narrow", 600637},         // creeping up and away from what then held it against gravity
         {"narrow", 97347},          // on both corners of a slot at once: 6e-8 of its energy more
     };
     for (Found const& found : all) hold(physics::Exact{}, found.kind, found.seed);

@@ -67,10 +67,13 @@ private:
         if (t < first.time || (t == first.time && contact.feature < first.contact.feature)) first = {t, contact};
     }
 
-    // Whether a gap that closes here opens again at once.
+    // Whether a gap that closes here opens again at once: its parabola does, and higher terms change that little.
     template <std::size_t N>
     bool grazes(std::array<double, N> const& gap, double metre, double t) const {
-        return gap[1] < 0 && dip_of(gap[1], 2 * gap[2]) - std::max(gap[0], 0.0) <= 2 * least_dip(path_.at(t)) * metre;
+        if (!(gap[1] < 0 && gap[2] > 0)) return false;
+        double const bottom = gap[1] / (-2 * gap[2]), dip = gap[2] * bottom * bottom - std::max(gap[0], 0.0);
+        return dip <= 2 * least_dip(path_.at(t)) * metre &&
+               geometry::value_at(gap, 4 * bottom) - gap[0] >= 4 * gap[2] * bottom * bottom;
     }
 
     // How a gap stands at the beginning of a stretch of the path.

@@ -96,7 +96,11 @@ Transition creeping(MotionContext const& context, State const& state, double tim
     Vec2 const field = acceleration_in(context.field, state.position, state.velocity);
     start.velocity = let_through(points, state.velocity);
     if (geometry::length(start.velocity) <= least_slip) start.velocity = Vec2::Zero();
-    Vec2 pull = let_through(points, acceleration_in(context.field, state.position, start.velocity));
+    std::vector<ContactPoint> kept = points;  // not what it parts from
+    std::erase_if(kept, [&](ContactPoint const& s) {
+        return dot(start.velocity, s.normal) > balanced * geometry::length(start.velocity) + least_slip;
+    });
+    Vec2 pull = let_through(kept, acceleration_in(context.field, state.position, start.velocity));
     if (geometry::length(pull) <= balanced * geometry::length(field)) pull = Vec2::Zero();
     std::vector<ContactPoint> const apart = kept_apart(points, start.velocity, field, least_slip);
     bool const moves = start.velocity != Vec2::Zero() || pull != Vec2::Zero();
