@@ -29,6 +29,10 @@ def environment(**changes):
     None removes a name."""
     result = dict(os.environ, DISPLAY=":9999", NO_COLOR="1", SDL_AUDIODRIVER="dummy")
     result.pop("WAYLAND_DISPLAY", None)
+    if SANITIZED:
+        # What Mesa keeps until the end is known by its library. To look up names as well takes a quarter of the time of a
+        # picture: reports have addresses here, which asan_symbolize turns into lines.
+        result["ASAN_OPTIONS"] = result.get("ASAN_OPTIONS", "") + ":symbolize=0"
     for name, value in changes.items():
         result.pop(name, None)
         if value is not None:
