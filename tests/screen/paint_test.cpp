@@ -20,8 +20,6 @@ bool is_near(Rgb const& a, Rgb const& b) {
            std::abs(a.blue - b.blue) <= rounding;
 }
 
-screen::Pixels painted(Picture const& picture) { return screen::Offscreen().paint(picture); }
-
 screen::Pixels painted_on_black(view::Shape const& shape) {
     Picture picture = plain(64, 48, black);
     picture.shapes.push_back(shape);
@@ -258,7 +256,7 @@ TEST_CASE("more letters than the atlas holds are all drawn") {
         picture.shapes.emplace_back(
             view::Label{{0, 1e5}, static_cast<double>(height), "ABCDEFGHIJKLMNOPQRSTUVW", white});
     picture.shapes.emplace_back(view::Label{{2, 290}, 380, "M", white, view::Anchor::Left, view::Weight::bold});
-    auto const pixels = painted(picture);
+    auto const pixels = screen::Offscreen().paint(picture);
     int lit = 0;
     for (int x = 0; x < 400; ++x) lit += at(pixels, x, 280).red == 255;
     CHECK(lit > 60);

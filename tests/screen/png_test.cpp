@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include "screen/folder.h"
-#include "screen/offscreen.h"
 #include "screen/png.h"
 #include "screen/samples.h"
 
@@ -39,7 +38,7 @@ TEST_CASE("a picture comes back from its PNG file as it was, opaque") {
     Folder const folder;
     for (auto const& picture :
          {samples::balls(), samples::plain(1, 1, samples::red), samples::plain(3, 200, samples::blue)}) {
-        auto const pixels = screen::Offscreen().paint(picture);
+        auto const pixels = samples::painted(picture);
         screen::write_png(folder / "a.png", pixels);
         auto const back = screen::read_png(folder / "a.png");
         CHECK(back.width == pixels.width);
@@ -50,7 +49,7 @@ TEST_CASE("a picture comes back from its PNG file as it was, opaque") {
 
 TEST_CASE("the same picture is the same file, and replaces what was there") {
     Folder const folder;
-    auto const pixels = screen::Offscreen().paint(samples::shapes());
+    auto const pixels = samples::painted(samples::shapes());
     CHECK(screen::png_of(pixels) == screen::png_of(pixels));
     std::ofstream(folder / "a.png") << "something else, and longer than nothing";
     screen::write_png(folder / "a.png", pixels);
@@ -60,7 +59,7 @@ TEST_CASE("the same picture is the same file, and replaces what was there") {
 
 TEST_CASE("a disk that fills up is told with the file's name, and leaves nothing behind") {
     Folder const folder;
-    auto const pixels = screen::Offscreen().paint(samples::balls());
+    auto const pixels = samples::painted(samples::balls());
     {
         FullDisk const full(1000);
         CHECK_THROWS_WITH_AS(screen::write_png(folder / "frame.png", pixels),
@@ -71,7 +70,7 @@ TEST_CASE("a disk that fills up is told with the file's name, and leaves nothing
 
 TEST_CASE("what was whole before a failure stays") {
     Folder const folder;
-    auto const pixels = screen::Offscreen().paint(samples::balls());
+    auto const pixels = samples::painted(samples::balls());
     screen::write_png(folder / "frame.png", pixels);
     {
         FullDisk const full(1000);
@@ -82,7 +81,7 @@ TEST_CASE("what was whole before a failure stays") {
 
 TEST_CASE("a folder that is not there and a file that is no PNG are told with the name") {
     Folder const folder;
-    auto const pixels = screen::Offscreen().paint(samples::plain(2, 2, samples::red));
+    auto const pixels = samples::painted(samples::plain(2, 2, samples::red));
     CHECK_THROWS_WITH_AS(screen::write_png(folder / "none/a.png", pixels),
                          doctest::Contains("none/a.png: No such file"), std::runtime_error);
     CHECK_THROWS_WITH_AS(screen::read_png(folder / "a.png"), doctest::Contains("a.png: No such file"),

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "screen/offscreen.h"
+
 namespace samples {
 
 view::Picture plain(int width, int height, view::Colour const& colour) {
@@ -58,6 +60,12 @@ view::Picture letters() {
     picture.shapes.emplace_back(view::Label{{80.3, 60}, 40, "Goal!", red, view::Anchor::Centre, view::Weight::bold});
     picture.shapes.emplace_back(view::Label{{156, 100}, 11.5, "12.5 m/s, Föhn", blue, view::Anchor::Right});
     return picture;
+}
+
+screen::Pixels painted(view::Picture const& picture) {
+    // Not taken down: OSMesa ends before what is static here.
+    static auto& offscreen = *new screen::Offscreen;
+    return offscreen.paint(picture);
 }
 
 Rgb at(screen::Pixels const& pixels, int x, int y) {

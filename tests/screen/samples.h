@@ -18,6 +18,9 @@ view::Picture ground();  // areas with a hole, grain, shadow, lit edge
 view::Picture balls();   // shells of several sizes, angles and liveries
 view::Picture letters();
 
+// By one painter for all that ask nothing of it: to make one takes longer than to paint. For one thread.
+screen::Pixels painted(view::Picture const& picture);
+
 struct Rgb {
     int red = 0, green = 0, blue = 0;
     bool operator==(Rgb const&) const = default;

@@ -53,7 +53,7 @@ private:
 
 screen::VideoSettings small() { return {64, 48, 30, 1, 18}; }
 
-screen::Pixels grey() { return screen::Offscreen().paint(samples::plain(64, 48, {0.5F, 0.5F, 0.5F, 1})); }
+screen::Pixels grey() { return samples::painted(samples::plain(64, 48, {0.5F, 0.5F, 0.5F, 1})); }
 
 std::vector<screen::Pixels> moving(int count) {
     screen::Offscreen offscreen;
@@ -85,7 +85,7 @@ bool has(std::string const& text, std::string const& part) { return text.find(pa
 
 TEST_CASE("grey has no chroma, white and black are the ends of the limited range") {
     auto const of = [](view::Colour const& colour) {
-        return screen::yuv420_of(screen::Offscreen().paint(samples::plain(2, 2, colour))).bytes;
+        return screen::yuv420_of(samples::painted(samples::plain(2, 2, colour))).bytes;
     };
     CHECK(of(samples::black) == std::vector<std::uint8_t>{16, 16, 16, 16, 128, 128});
     CHECK(of(samples::white) == std::vector<std::uint8_t>{235, 235, 235, 235, 128, 128});
@@ -116,7 +116,7 @@ TEST_CASE("a player shows the colours that were painted") {
     Folder const folder;
     for (view::Colour const colour :
          {view::Colour{0.30F, 0.62F, 0.95F, 1}, {0.9F, 0.2F, 0.1F, 1}, {0.2F, 0.6F, 0.2F, 1}}) {
-        auto const frame = screen::Offscreen().paint(samples::plain(64, 48, colour));
+        auto const frame = samples::painted(samples::plain(64, 48, colour));
         {
             Video video(folder / "a.mp4", small());
             video.add(frame);
@@ -137,7 +137,8 @@ TEST_CASE("a player shows the colours that were painted") {
 TEST_CASE("a fraction of a frame a second is kept as it was given") {
     Folder const folder;
     Video video(folder / "a.mkv", {64, 48, 30000, 1001, 18});
-    for (int i = 0; i < 5; ++i) video.add(grey());
+    auto const frame = grey();
+    for (int i = 0; i < 5; ++i) video.add(frame);
     video.finish();
     CHECK(probed(folder / "a.mkv", "r_frame_rate") == "30000/1001");
 }
@@ -241,9 +242,10 @@ TEST_CASE("an ffmpeg that talks without end does not block") {
 
 TEST_CASE("a video that is cut short plays as far as it goes") {
     Folder const folder;
+    auto const frame = grey();
     {
         Video video(folder / "demo.mp4", small());
-        for (int i = 0; i < 40; ++i) video.add(grey());
+        for (int i = 0; i < 40; ++i) video.add(frame);
     }
     CHECK_FALSE(fs::exists(folder / "demo.mp4"));
     CHECK(probed(folder / "demo.part.mp4", "nb_read_frames") == "40");
