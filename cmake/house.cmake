@@ -46,6 +46,11 @@ if(SMB2D_SANITIZE)
         -fno-sanitize=null,alignment,object-size,pointer-overflow -fno-omit-frame-pointer
         $<IF:$<CXX_COMPILER_ID:Clang>,-gline-tables-only,-g1>)
     target_link_options(house INTERFACE -fsanitize=address,undefined)
+    # A third of the time of the usual one.
+    find_program(SMB2D_LLD ld.lld DOC "LLVM's linker, used where there is one")
+    if(SMB2D_LLD)
+        target_link_options(house INTERFACE -fuse-ld=lld)
+    endif()
 endif()
 
 # What takes longer to optimise, sanitized, than it runs.
