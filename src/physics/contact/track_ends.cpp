@@ -61,8 +61,8 @@ TrackEnd goes_on_to(EndKind kind, double q, int direction, Contact next, double 
 }
 
 // A joint that turns towards the ball is passed where the two tracks cross: half the turn before the vertex where they
-// are straight, and from there by Newton's rule. `early` (m) is how far before the vertex that is. Where that is less
-// than the rounding of places tells at such a turn, the first guess stands: it is off by early^2 / r at most.
+// are straight, and from there by Newton's rule. `early` (m) is how far before the vertex that is; below this the
+// rounding of places moves the crossing by as much, and the first guess stands.
 constexpr double least_crossing = 2e-6;  // m
 
 double crossing_of(Track const& track, Track const& ahead, double q, double early) {
