@@ -71,9 +71,11 @@ private:
     template <std::size_t N>
     bool grazes(std::array<double, N> const& gap, double metre, double t) const {
         if (!(gap[1] < 0 && gap[2] > 0)) return false;
-        double const bottom = gap[1] / (-2 * gap[2]), dip = gap[2] * bottom * bottom - std::max(gap[0], 0.0);
-        return dip <= 2 * least_dip(path_.at(t)) * metre &&
-               geometry::value_at(gap, 4 * bottom) - gap[0] >= 4 * gap[2] * bottom * bottom;
+        double const least = 2 * least_dip(path_.at(t)) * metre;
+        double const bottom = gap[1] / (-2 * gap[2]), dip = gap[2] * bottom * bottom;
+        auto const rise = [&](double share) { return geometry::value_at(gap, share * bottom) - gap[0]; };
+        return dip - std::max(gap[0], 0.0) <= least && rise(1) >= -dip - least && rise(2) >= -least &&
+               rise(4) >= 4 * dip;
     }
 
     // How a gap stands at the beginning of a stretch of the path.
