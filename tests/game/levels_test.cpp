@@ -2,6 +2,7 @@
 // that wins gold and ends as it claims.
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 
 #include <doctest/doctest.h>
 
@@ -30,7 +31,8 @@ game::Session session_of(std::shared_ptr<level::Level const> const& level) {
     return game::session_of(level, game::method_for({}, level->scene));
 }
 
-constexpr double robots_patience = 60;  // s
+constexpr double robots_patience = 60;           // s
+constexpr double changing_robots_patience = 20;  // s
 
 }  // namespace
 
@@ -46,6 +48,32 @@ TEST_CASE("no robot wins a level but the first two") {
             robot.play(session, std::min(robots_patience, level->time_limit.value_or(robots_patience)));
             CHECK(session.goal_time.value_or(-1) == -1);
         }
+    }
+}
+
+// The named levels are about one change of mind at the right time: a swing, a brake.
+TEST_CASE("no robot that changes its mind once wins a level but the first two and those about that") {
+    auto const levels = shipped_levels();
+    REQUIRE(levels.size() > 2);
+    auto const is_one_of = [](files::path const& file, std::initializer_list<char const*> numbers) {
+        return std::count(numbers.begin(), numbers.end(), file.filename().string().substr(0, 2)) > 0;
+    };
+    for (std::size_t i = 2; i < levels.size(); ++i) {
+        auto const level = read(levels[i]);
+        std::vector<game_test::TwoStepRobot> robots;
+        if (level->tilt_limit > 0 && !is_one_of(levels[i], {"03", "08", "09"})) robots = game_test::tilting_robots();
+        if (level->drag_reach > 0 && !is_one_of(levels[i], {"05"}))
+            for (game_test::TwoStepRobot const& robot : game_test::pulling_robots()) robots.push_back(robot);
+        for (game_test::TwoStepRobot const& robot : robots)
+            for (double change = 0.5; change <= 6; change += 0.5) {
+                CAPTURE(levels[i].filename().string());
+                CAPTURE(robot.name);
+                CAPTURE(change);
+                game::Session session = session_of(level);
+                robot.first(session, change);
+                robot.then(session, changing_robots_patience);
+                CHECK(session.goal_time.value_or(-1) == -1);
+            }
     }
 }
 

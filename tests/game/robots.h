@@ -61,4 +61,62 @@ inline std::vector<Robot> robots() {
              }}};
 }
 
+// What a robot does from a time on, and what it does after that for ever.
+struct TwoStepRobot {
+    std::string name;
+    std::function<void(game::Session&, double until)> first, then;
+};
+
+// On to `until`, or the end of the game, with a pointer that stays where it is from the ball (m) while one is held.
+inline void play_on(game::Session& session, double until, Vec2 const& pointer_from_ball) {
+    constexpr double step = 1.0 / 60;  // s
+    while (session.world.time < until && !session.goal_time && !session.fall_time) {
+        if (session.world.forces.pull) {
+            Vec2 const ball = physics::state_at(session.history, session.level->player, session.world.time).position;
+            game::act(session, game::Move{ball + pointer_from_ball});
+        }
+        game::advance(session, std::min(until, session.world.time + step));
+    }
+}
+
+inline std::vector<TwoStepRobot> tilting_robots() {
+    std::vector<TwoStepRobot> robots;
+    auto const tilt = [](double angle) {
+        return [angle](game::Session& session, double until) {
+            game::act(session, game::Tilt{angle});
+            play_on(session, until, Vec2::Zero());
+        };
+    };
+    for (double const first : {-10.0, 0.0, 10.0})
+        for (double const then : {-10.0, 0.0, 10.0})
+            if (first != then)
+                robots.push_back({"tilts by " + std::to_string(first) + ", then by " + std::to_string(then),
+                                  tilt(first), tilt(then)});
+    return robots;
+}
+
+inline std::vector<TwoStepRobot> pulling_robots() {
+    auto const let_go = [](game::Session& session, double until) {
+        game::act(session, game::Release{});
+        play_on(session, until, Vec2::Zero());
+    };
+    auto const pull = [](double side) {
+        return [side](game::Session& session, double until) {
+            Vec2 const far(side * 100, 0);
+            physics::State const ball = physics::state_at(session.history, session.level->player, session.world.time);
+            game::act(session, game::Grab{session.level->player, ball.position + far});
+            play_on(session, until, far);
+        };
+    };
+    auto const to_the_goal = [](game::Session& session, double until) {
+        Vec2 const goal = goal_of(*session.level);
+        double const from = session.world.time;
+        game::act(session, game::Grab{session.level->player, goal});
+        game::advance_held(session, from, until, [&](double) { return goal; });
+    };
+    return {{"pulls to the right, then lets go", pull(1), let_go},
+            {"pulls to the left, then lets go", pull(-1), let_go},
+            {"pulls to the goal, then lets go", to_the_goal, let_go}};
+}
+
 }  // namespace game_test
