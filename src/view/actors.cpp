@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/drawn_colour.h"
 #include "view/effects.h"
 #include "view/palette.h"
@@ -62,11 +63,11 @@ std::vector<Vec2> crescent(double outer_bend, double inner_bend) {
     int constexpr pieces = 20;
     auto const bow = [](double x, double bend) { return -bend * std::sqrt(std::max(0.0, 1 - x * x)); };
     for (int i = 0; i <= pieces; ++i) {
-        double const x = -std::cos(3.14159265 * i / pieces);
+        double const x = -std::cos(geometry::pi * i / pieces);
         points.push_back({x, bow(x, outer_bend)});
     }
     for (int i = pieces - 1; i > 0; --i) {
-        double const x = -std::cos(3.14159265 * i / pieces);
+        double const x = -std::cos(geometry::pi * i / pieces);
         points.push_back({x, bow(x, inner_bend)});
     }
     return points;
@@ -111,7 +112,7 @@ void add_spark(std::vector<Shape>& shapes, Vec2 const& at, double size, double a
     double const share = age / lasting;
     float const left = static_cast<float>(1 - share);
     shapes.emplace_back(
-        ArcStroke{at, size * (0.8 + 1.4 * share), 0, 2 * 3.14159265, 0.22 * size * left, faded(palette::gold, left)});
+        ArcStroke{at, size * (0.8 + 1.4 * share), 0, 2 * geometry::pi, 0.22 * size * left, faded(palette::gold, left)});
     for (int i = 0; i < 8; ++i) {
         Vec2 const way(std::cos(i * 0.7854 + 0.3), std::sin(i * 0.7854 + 0.3));
         Vec2 const from = at + way * size * (0.9 + 1.5 * share);

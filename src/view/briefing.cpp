@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "game/medals.h"
+#include "geometry/elementary.h"
 #include "view/hud.h"
 #include "view/palette.h"
 
@@ -16,7 +17,7 @@ using game::words;
 
 namespace {
 
-constexpr double full_circle = 2 * 3.14159265358979;
+constexpr double full_circle = 2 * geometry::pi;
 
 // Letters with a rim, so that they can be read over anything.
 void add_rimmed(std::vector<Shape>& shapes, Label label, double rim, Colour const& paint) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/hud.h"
 #include "view/palette.h"
 #include "view/surface_look.h"
@@ -11,7 +12,7 @@ namespace view {
 
 namespace {
 
-constexpr double round = 2 * 3.14159265358979;
+constexpr double round = 2 * geometry::pi;
 constexpr Colour black = colour(0x000000), white = colour(0xffffff);
 constexpr double least_ratio = 4.5;      // of letters to their plate (WCAG 2.1)
 constexpr float plate_alpha = 0.6f;      // a panel that hides at least so much is a plate for letters

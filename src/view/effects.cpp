@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/palette.h"
 
 namespace view {
@@ -17,7 +18,7 @@ bool is_seen(Camera const& camera, Vec2 const& place, double size) {
 double blink_at(double time, int ball) {
     constexpr double period = 2.9, closing = 0.13;  // s
     double const late = std::fmod(time + 0.83 * (ball % 7 + 1), period);
-    return late < closing ? std::sin(3.14159265 * late / closing) : 0;
+    return late < closing ? std::sin(geometry::pi * late / closing) : 0;
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ Monkey monkey_of(Moment const& moment, int ball, Shell const& shell, Camera cons
     double const push = geometry::dot(wake.push, camera.right), speed = geometry::dot(state.velocity, camera.right);
     double const hurry = std::clamp(run / 6, 0.0, 1.0) * std::tanh(speed);
     monkey.lean = std::atan2(aside, up) - (1 - carried) * (0.35 * std::tanh(push / 10) + 0.12 * hurry);
-    double const cycles = state.angle / 3.14159265358979;  // two a turn
+    double const cycles = state.angle / geometry::pi;  // two a turn
     monkey.stride = cycles - std::floor(cycles);
     monkey.swing = std::clamp(run / 1.5, 0.0, 1.0);
     monkey.blink = blink_at(moment.time, ball);

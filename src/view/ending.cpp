@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/medals.h"
+#include "geometry/elementary.h"
 #include "view/hud.h"
 #include "view/palette.h"
 
@@ -64,7 +65,7 @@ void add_card(std::vector<Shape>& shapes, Card const& card) {
 }
 
 void add_headline(std::vector<Shape>& shapes, Card const& card, std::string const& text, Colour const& paint) {
-    double const swell = 1 + 0.25 * std::sin(3.14159265 * card.open) * (1 - card.open);
+    double const swell = 1 + 0.25 * std::sin(geometry::pi * card.open) * (1 - card.open);
     double const room = (card.width - 40 * card.unit) / std::max(bold_share * text_width(text), 1e-9);
     double const height = std::min(58 * card.unit, room) * swell * (0.6 + 0.4 * card.open);
     Vec2 const at(card.middle(), card.corner.y() + 62 * card.unit);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/actors.h"
 #include "view/drawn_colour.h"
 #include "view/palette.h"
@@ -9,7 +10,7 @@ namespace view {
 
 namespace {
 
-constexpr double whole_turn = 2 * 3.14159265358979;
+constexpr double whole_turn = 2 * geometry::pi;
 
 struct Glow {
     double time = 0;     // s
@@ -82,7 +83,7 @@ void add_gate(std::vector<Shape>& shapes, geometry::Box const& box, Camera const
         double const rise = 0.35 * glow.time + 0.381966 * i;
         double const share = rise - std::floor(rise);
         Vec2 const at = left_foot + width * (0.12 + 0.76 * std::fmod(0.618034 * i, 1.0)) + share * height;
-        float const alpha = static_cast<float>(std::sin(3.14159265 * share)) * 0.8f;
+        float const alpha = static_cast<float>(std::sin(geometry::pi * share)) * 0.8f;
         double const radius = 0.05 * glow.metre;
         shapes.emplace_back(Disc{at, radius, colour(0xfff6c0, alpha), {}, 0, 0.8 * radius});
     }

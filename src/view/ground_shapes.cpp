@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/ground.h"
 #include "view/palette.h"
 
@@ -62,7 +63,7 @@ Area area_of(Patch const& patch, Camera const& camera) {
 void add_flower(std::vector<Shape>& shapes, Vec2 const& at, double size, int kind) {
     Colour const petals[] = {colour(0xffffff), colour(0xffd0e6), colour(0xfff07a)};
     for (int i = 0; i < 5; ++i) {
-        double const angle = i * 2 * 3.14159265 / 5 + kind;
+        double const angle = i * 2 * geometry::pi / 5 + kind;
         Vec2 const petal = at + 0.62 * size * Vec2(std::cos(angle), std::sin(angle));
         shapes.emplace_back(Disc{petal, 0.5 * size, petals[kind % 3], {}, 0, 0});
     }

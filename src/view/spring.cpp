@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/actors.h"
 #include "view/palette.h"
 
@@ -30,8 +31,8 @@ std::vector<Vec2> coil(Vec2 const& from, Vec2 const& to, double lead, double amp
 }
 
 void add_hand(std::vector<Shape>& shapes, Vec2 const& at, double size, Colour const& wire) {
-    shapes.emplace_back(ArcStroke{at, 1.5 * size, 0, 2 * 3.14159265, 0.75 * size, palette::ink});
-    shapes.emplace_back(ArcStroke{at, 1.5 * size, 0, 2 * 3.14159265, 0.4 * size, palette::bright});
+    shapes.emplace_back(ArcStroke{at, 1.5 * size, 0, 2 * geometry::pi, 0.75 * size, palette::ink});
+    shapes.emplace_back(ArcStroke{at, 1.5 * size, 0, 2 * geometry::pi, 0.4 * size, palette::bright});
     shapes.emplace_back(Disc{at, 0.7 * size, wire, palette::ink, 0.2 * size, 0});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "view/palette.h"
 
 namespace view {
@@ -23,7 +24,7 @@ bool is_touch(physics::Event const& event, int ball) {
 bool is_near(Vec2 const& a, Vec2 const& b, double distance) { return geometry::length(a - b) < distance; }
 
 std::vector<TrajectoryPreview::Sight> dots_on(physics::History const& coming, int ball, double time, double horizon,
-                                      double clearance) {
+                                              double clearance) {
     std::vector<TrajectoryPreview::Sight> dots;
     Vec2 last = physics::state_at(coming, ball, time).position;
     for (double i = std::floor(time / dot_spacing) + 1; i * dot_spacing <= time + horizon; ++i) {
@@ -41,14 +42,14 @@ float presence_of(TrajectoryPreview const& preview, TrajectoryPreview::Sight con
 
 void add_ring(std::vector<Shape>& shapes, Vec2 const& at, double radius, double width, Colour const& paint) {
     shapes.emplace_back(
-        ArcStroke{at, radius, 0, 2 * 3.14159265, 1.8 * width, faded(palette::ink, 0.35f * paint.alpha)});
-    shapes.emplace_back(ArcStroke{at, radius, 0, 2 * 3.14159265, width, paint});
+        ArcStroke{at, radius, 0, 2 * geometry::pi, 1.8 * width, faded(palette::ink, 0.35f * paint.alpha)});
+    shapes.emplace_back(ArcStroke{at, radius, 0, 2 * geometry::pi, width, paint});
 }
 
 }  // namespace
 
 TrajectoryPreview trajectory_preview(physics::History const& coming, physics::Scene const& scene, int ball, double time,
-                       double horizon) {
+                                     double horizon) {
     TrajectoryPreview preview;
     preview.radius = scene.balls[static_cast<std::size_t>(ball)].radius;
     preview.horizon = horizon;
