@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "screen/swollen.h"
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -89,16 +91,17 @@ double Glyphs::width_of(std::string const& text, double height, view::Weight wei
     return width * font.scale(quarters_of(height));
 }
 
-std::optional<Line> Glyphs::line(std::string const& text, double height, view::Weight weight, double start) {
-    Font const& font = font_for(weight);
-    int const quarters = quarters_of(height);
+std::optional<Line> Glyphs::line(view::Label const& label, double start) {
+    Font const& font = font_for(label.weight);
+    int const quarters = quarters_of(label.height);
+    int const swell = static_cast<int>(std::lround(std::clamp(label.swell, 0.0, highest_text / 4) * 4));
     double const scale = font.scale(quarters);
-    auto const letters = letters_of(text);
+    auto const letters = letters_of(label.text);
     Line line;
     double pen = start;
     for (std::size_t i = 0; i < letters.size(); ++i) {
         int const pen_quarters = static_cast<int>(std::floor(pen * 4 + 0.5));
-        auto const placed = glyph(font, letters[i], quarters, pen_quarters & 3);
+        auto const placed = glyph({&font, letters[i], quarters, pen_quarters & 3, swell});
         if (!placed) return std::nullopt;
         line.glyphs.push_back({*placed, pen_quarters >> 2});
         pen += scale * font.advance(letters[i], i + 1 < letters.size() ? letters[i + 1] : 0);
@@ -107,13 +110,15 @@ std::optional<Line> Glyphs::line(std::string const& text, double height, view::W
     return line;
 }
 
-std::optional<Glyph> Glyphs::glyph(Font const& font, int letter, int height_quarters, int pen_quarters) {
-    Key const key{&font, letter, height_quarters, pen_quarters};
-    if (auto const found = kept_.find(key); found != kept_.end()) return found->second;
-    float const scale = font.scale(height_quarters), shift = static_cast<float>(pen_quarters) / 4;
+std::optional<Glyph> Glyphs::glyph(Form const& form) {
+    if (auto const found = kept_.find(form); found != kept_.end()) return found->second;
+    float const scale = form.font->scale(form.height), shift = static_cast<float>(form.pen) / 4;
     int left = 0, top = 0, right = 0, bottom = 0;
-    stbtt_GetCodepointBitmapBoxSubpixel(&font.info, letter, scale, scale, shift, 0, &left, &top, &right, &bottom);
-    Glyph glyph{0, 0, right - left, bottom - top, left, top};
+    stbtt_GetCodepointBitmapBoxSubpixel(&form.font->info, form.letter, scale, scale, shift, 0, &left, &top, &right,
+                                        &bottom);
+    bool const is_space = left == right || top == bottom;
+    int const margin = form.swell > 0 && !is_space ? swell_margin(form.swell / 4.0) : 0;
+    Glyph glyph{0, 0, right - left + 2 * margin, bottom - top + 2 * margin, left - margin, top - margin};
     if (shelf_x_ + glyph.width > atlas_side) {
         shelf_x_ = 0;
         shelf_y_ += std::exchange(shelf_height_, 0);
@@ -124,14 +129,30 @@ std::optional<Glyph> Glyphs::glyph(Font const& font, int letter, int height_quar
     shelf_x_ += glyph.width;
     shelf_height_ = std::max(shelf_height_, glyph.height);
     if (glyph.width > 0 && glyph.height > 0) {
-        unsigned char* corner = atlas_.data() + glyph.atlas_y * atlas_side + glyph.atlas_x;
-        stbtt_MakeCodepointBitmapSubpixel(&font.info, corner, glyph.width, glyph.height, atlas_side, scale, scale,
-                                          shift, 0, letter);
+        paint(form, glyph);
         changed_top_ = std::min(changed_top_, glyph.atlas_y);
         changed_bottom_ = std::max(changed_bottom_, glyph.atlas_y + glyph.height);
     }
-    kept_.emplace(key, glyph);
+    kept_.emplace(form, glyph);
     return glyph;
+}
+
+void Glyphs::paint(Form const& form, Glyph const& glyph) {
+    float const scale = form.font->scale(form.height), shift = static_cast<float>(form.pen) / 4;
+    unsigned char* const corner = atlas_.data() + glyph.atlas_y * atlas_side + glyph.atlas_x;
+    auto const draw = [&](unsigned char* at, int width, int height, int stride) {
+        stbtt_MakeCodepointBitmapSubpixel(&form.font->info, at, width, height, stride, scale, scale, shift, 0,
+                                          form.letter);
+    };
+    if (form.swell == 0) return draw(corner, glyph.width, glyph.height, atlas_side);
+    int const margin = swell_margin(form.swell / 4.0);
+    Bitmap letter{glyph.width, glyph.height, {}};
+    letter.shares.resize(static_cast<std::size_t>(glyph.width) * static_cast<std::size_t>(glyph.height));
+    draw(letter.shares.data() + margin * glyph.width + margin, glyph.width - 2 * margin, glyph.height - 2 * margin,
+         glyph.width);
+    letter = swollen(letter, form.swell / 4.0);
+    for (int row = 0; row < glyph.height; ++row)
+        std::copy_n(letter.shares.data() + row * glyph.width, glyph.width, corner + row * atlas_side);
 }
 
 void Glyphs::clear() {

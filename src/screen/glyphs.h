@@ -1,12 +1,12 @@
 // Letters: DejaVu Sans, drawn at the size they are shown, kept in one texture's worth of bytes.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "view/picture.h"
@@ -42,8 +42,8 @@ public:
     Glyphs& operator=(Glyphs&&) noexcept;
 
     double width_of(std::string const& text, double height, view::Weight weight) const;  // pixels
-    // Places the letters, the pen starting `start` (0 to 1) into a pixel. None when the atlas is full.
-    std::optional<Line> line(std::string const& text, double height, view::Weight weight, double start);
+    // Places the letters of a label, the pen starting `start` (0 to 1) into a pixel. None when the atlas is full.
+    std::optional<Line> line(view::Label const& label, double start);
     // Forgets all letters.
     void clear();
 
@@ -58,13 +58,19 @@ public:
 
 private:
     struct Font;
-    using Key = std::tuple<Font const*, int, int, int>;  // font, letter, height in quarters, pen in quarters
-    std::optional<Glyph> glyph(Font const& font, int letter, int height_quarters, int pen_quarters);
+    struct Form {
+        Font const* font = nullptr;
+        int letter = 0;
+        int height = 0, pen = 0, swell = 0;  // quarters of a pixel
+        auto operator<=>(Form const&) const = default;
+    };
+    std::optional<Glyph> glyph(Form const& form);
+    void paint(Form const& form, Glyph const& glyph);
     Font const& font_for(view::Weight weight) const;
 
     std::unique_ptr<Font> regular_, bold_;
     std::vector<std::uint8_t> atlas_;
-    std::map<Key, Glyph> kept_;
+    std::map<Form, Glyph> kept_;
     int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;  // texels
     int changed_top_ = atlas_side, changed_bottom_ = 0;
 };

@@ -202,11 +202,11 @@ int Painter::Body::kept(EdgeTile const& tile) {
 
 // A text that does not fit an empty atlas is drawn smaller.
 Line Painter::Body::line_of(view::Label label, double start) {
-    for (;; label.height /= 2) {
-        if (auto line = glyphs->line(label.text, label.height, label.weight, start)) return *line;
+    for (;; label.height /= 2, label.swell /= 2) {
+        if (auto line = glyphs->line(label, start)) return *line;
         flush();
         glyphs->clear();
-        if (auto line = glyphs->line(label.text, label.height, label.weight, start)) return *line;
+        if (auto line = glyphs->line(label, start)) return *line;
         if (label.height < 8) return {};
     }
 }

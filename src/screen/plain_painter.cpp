@@ -222,10 +222,10 @@ void PlainPainter::add(view::Label const& label) {
     }
     double const base_x = std::floor(left), base_y = std::floor(label.at.y() + 0.5);
     if (!(std::abs(base_x) <= 1e6 && std::abs(base_y) <= 1e6)) return;
-    auto line = glyphs_->line(label.text, label.height, label.weight, left - base_x);
+    auto line = glyphs_->line(label, left - base_x);
     if (!line) {
         glyphs_->clear();
-        line = glyphs_->line(label.text, label.height, label.weight, left - base_x);
+        line = glyphs_->line(label, left - base_x);
     }
     if (!line) return;
     for (auto const& [glyph, pen] : line->glyphs)

@@ -21,18 +21,11 @@ constexpr double full_circle = 2 * geometry::pi;
 
 // Letters with a rim, so that they can be read over anything.
 void add_rimmed(std::vector<Shape>& shapes, Label label, double rim, Colour const& paint) {
-    Colour const face = label.colour;
-    Vec2 const at = label.at;
-    label.colour = paint;
-    int constexpr copies = 16;
-    for (int i = 0; i < copies; ++i) {
-        double const angle = i * full_circle / copies;
-        label.at = at + rim * Vec2(std::cos(angle), std::sin(angle));
-        shapes.emplace_back(label);
-    }
-    label.at = at;
-    label.colour = face;
-    shapes.emplace_back(label);
+    Label behind = label;
+    behind.colour = paint;
+    behind.swell = rim;
+    shapes.emplace_back(std::move(behind));
+    shapes.emplace_back(std::move(label));
 }
 
 std::string asked_for(level::Level const& level, Language language) {

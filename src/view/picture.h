@@ -100,6 +100,7 @@ struct Label {
     Colour colour;
     Anchor anchor = Anchor::Left;
     Weight weight = Weight::regular;
+    double swell = 0;  // pixels by which letters are thicker on every side: what lies behind others as their rim
 };
 
 // A rectangle with rounded corners, for panels and bars.

@@ -1,4 +1,6 @@
 // Letters as they are really drawn: none is wider than the plate that it stands on, in any language.
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "screen/glyphs.h"
@@ -170,17 +172,17 @@ TEST_CASE("the letters of German are drawn, each as itself") {
     screen::Glyphs glyphs;
     for (auto const& [umlaut, plain] :
          {std::pair("ä", "a"), {"ö", "o"}, {"ü", "u"}, {"Ä", "A"}, {"Ö", "O"}, {"Ü", "U"}}) {
-        auto const line = glyphs.line(umlaut, 40, view::Weight::regular, 0);
-        auto const below = glyphs.line(plain, 40, view::Weight::regular, 0);
+        auto const line = glyphs.line(view::Label{{}, 40, umlaut, {}}, 0);
+        auto const below = glyphs.line(view::Label{{}, 40, plain, {}}, 0);
         REQUIRE((line && below && line->glyphs.size() == 1));
         // The same letter with dots over it: higher, and not the box that stands for what a font lacks.
         CHECK(line->glyphs[0].glyph.height > below->glyphs[0].glyph.height);
         CHECK(line->glyphs[0].glyph.width == doctest::Approx(below->glyphs[0].glyph.width).epsilon(0.2));
     }
-    auto const missing = glyphs.line("\xf3\xb0\x80\x80", 40, view::Weight::regular, 0);  // a private plane
+    auto const missing = glyphs.line(view::Label{{}, 40, "\xf3\xb0\x80\x80", {}}, 0);  // a private plane
     REQUIRE(missing);
     for (char const* sign : {"ß", "„", "“", "←", "→", "↑", "↓"}) {
-        auto const line = glyphs.line(sign, 40, view::Weight::regular, 0);
+        auto const line = glyphs.line(view::Label{{}, 40, sign, {}}, 0);
         REQUIRE(line);
         CHECK(line->glyphs[0].glyph.width > 0);
         CHECK(line->width != missing->width);
@@ -190,12 +192,36 @@ TEST_CASE("the letters of German are drawn, each as itself") {
 TEST_CASE("letters change the rows of the atlas that they lie in, and those drawn before none") {
     screen::Glyphs glyphs;
     CHECK(glyphs.changed_top() >= glyphs.changed_bottom());
-    auto const first = glyphs.line("a", 40, view::Weight::regular, 0);
+    auto const first = glyphs.line(view::Label{{}, 40, "a", {}}, 0);
     REQUIRE(first);
     screen::Glyph const& letter = first->glyphs[0].glyph;
     CHECK(glyphs.changed_top() == letter.atlas_y);
     CHECK(glyphs.changed_bottom() == letter.atlas_y + letter.height);
     glyphs.mark_seen();
-    glyphs.line("a", 40, view::Weight::regular, 0);
+    glyphs.line(view::Label{{}, 40, "a", {}}, 0);
     CHECK(glyphs.changed_top() >= glyphs.changed_bottom());
+}
+
+TEST_CASE("a letter that swells is larger by that on every side, and stands where it stood") {
+    screen::Glyphs glyphs;
+    view::Label label{{}, 40, "I", {}};
+    auto const usual = glyphs.line(label, 0.25);
+    label.swell = 5;
+    auto const thick = glyphs.line(label, 0.25);
+    REQUIRE((usual && thick));
+    auto const ink = [&](screen::Glyph const& glyph, int row) {
+        double sum = 0;  // pixels
+        for (int column = 0; column < glyph.width; ++column)
+            sum += glyphs.atlas()[static_cast<std::size_t>((glyph.atlas_y + row) * screen::atlas_side + glyph.atlas_x +
+                                                           column)] /
+                   255.0;
+        return sum;
+    };
+    screen::Glyph const& before = usual->glyphs[0].glyph;
+    screen::Glyph const& after = thick->glyphs[0].glyph;
+    CHECK(thick->width == usual->width);
+    CHECK(2 * after.left + after.width == 2 * before.left + before.width);
+    CHECK(2 * after.top + after.height == 2 * before.top + before.height);
+    // The distance is taken from the middles of pixels: half of one to either side is open.
+    CHECK(std::abs(ink(after, after.height / 2) - ink(before, before.height / 2) - 2 * 5) <= 1);
 }
