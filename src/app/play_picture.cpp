@@ -175,6 +175,7 @@ std::vector<view::Shape> cover_shapes(PlayGame const& game, std::string const& f
     if (game.settings) add(settings_shapes(game));
     if (game.help) add(help_shapes(game));
     if (game.settings && fault.empty()) return shapes;  // its page tells messages
+    if (game.help) lift = view::lift_over_help(game.size);
     add(fault.empty() ? view::toast_shapes(game.toast.text, game.toast.left / toast_fading, game.size, lift)
                       : view::toast_shapes(fault, 1, game.size, lift));
     return shapes;

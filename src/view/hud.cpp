@@ -12,6 +12,8 @@ namespace view {
 
 namespace {
 
+constexpr double toast_height = 100;  // of its upper edge over the lower edge, pixels of a picture of 1280x720
+
 void add_pill(std::vector<Shape>& shapes, Vec2 const& corner, Vec2 const& size, Colour const& paint) {
     shapes.emplace_back(Panel{corner, size, size.y() / 2, paint});
 }
@@ -134,6 +136,8 @@ std::vector<Shape> help_shapes(std::string const& title, std::vector<KeyHelp> co
     return shapes;
 }
 
+double lift_over_help(Vec2 const& size) { return size.y() - (toast_height + 14) * hud_scale(size); }
+
 std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size, double lift) {
     std::vector<Shape> shapes;
     if (text.empty() || presence <= 0) return shapes;
@@ -143,7 +147,7 @@ std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 c
     double const room = size.x() - 80 * unit;
     if (text_width(text) * letters > room) letters = room / text_width(text);
     double const width = text_width(text) * letters + 44 * unit;
-    Vec2 const corner((size.x() - width) / 2, size.y() - 100 * unit - lift);
+    Vec2 const corner((size.x() - width) / 2, size.y() - toast_height * unit - lift);
     add_pill(shapes, corner, {width, 38 * unit}, faded(palette::night, alpha));
     Vec2 const at(size.x() / 2, corner.y() + 25 * unit);
     shapes.emplace_back(Label{at, letters, text, faded(palette::bright, alpha), Anchor::Centre});

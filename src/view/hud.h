@@ -29,6 +29,9 @@ std::vector<Shape> help_shapes(std::string const& title, std::vector<KeyHelp> co
 // A line at the lower edge, or `lift` pixels higher; presence fades it, 1 to 0.
 std::vector<Shape> toast_shapes(std::string const& text, double presence, Vec2 const& size, double lift = 0);
 
+// By how much a toast is lifted, pixels, to stand above the page of help.
+double lift_over_help(Vec2 const& size);
+
 // A word in the upper middle: paused, slow motion.
 std::vector<Shape> badge_shapes(std::string const& text, Vec2 const& size);
 

@@ -92,7 +92,7 @@ std::vector<Shape> overlay_shapes(level::Level const& level, Moment const& momen
     std::vector<Shape> shapes;
     double const unit = hud_scale(camera.size);
     // In columns from the upper right corner: they stay where they are, whatever the ball does.
-    Slate slate{&shapes, &camera, camera.size.x() - (table_width + 16) * unit, 64 * unit, language};
+    Slate slate{&shapes, &camera, camera.size.x() - (table_width + 16) * unit, 64 * unit, {}, language};
     auto const draw = [&](bool wanted, void (*part)(Slate&, level::Level const&, Moment const&)) {
         if (!wanted) return;
         part(slate, level, moment);

@@ -111,6 +111,32 @@ double lowest_height_energy(level::Level const& level, physics::Forces const& fo
     return -mass * reach;
 }
 
+bool overlap(Panel const& a, Panel const& b) {
+    Vec2 const a_end = a.corner + a.size, b_end = b.corner + b.size;
+    return a.corner.x() < b_end.x() && b.corner.x() < a_end.x() && a.corner.y() < b_end.y() && b.corner.y() < a_end.y();
+}
+
+// Where the name of an arrow stands: beside its tip (pixels), clear of the shaft, so that figures and forces along one
+// line do not write over each other; where another name stands already, on the other side or farther on.
+Panel plate_of(Slate const& slate, Arrow const& arrow, Vec2 const& tip, Vec2 const& along) {
+    double const unit = hud_scale(slate.camera->size);
+    Vec2 const size((text_width(arrow.name) * 17 + 10) * unit, 20 * unit);
+    auto const plate_at = [&](double side, double step) {
+        Vec2 const aside = -side * geometry::turned_left(along);
+        double const clear = std::abs(aside.x()) * (size.x() / 2 + 10 * unit) + std::abs(aside.y()) * 20 * unit;
+        double const on = step * (std::abs(along.x()) * (size.x() + 4 * unit) + std::abs(along.y()) * 24 * unit);
+        Vec2 const at = tip + clear * aside + on * along + Vec2(0, 5 * unit);
+        return Panel{at - Vec2(size.x() / 2, 15 * unit), size, 6 * unit, colour(0xffffff, 0.8f)};
+    };
+    for (double const step : {0.0, 1.0, 2.0})
+        for (double const side : {arrow.side, -arrow.side}) {
+            Panel const plate = plate_at(side, step);
+            auto const is_taken = [&](Panel const& other) { return overlap(plate, other); };
+            if (std::none_of(slate.names.begin(), slate.names.end(), is_taken)) return plate;
+        }
+    return plate_at(arrow.side, 0);
+}
+
 }  // namespace
 
 void draw_arrow(Slate& slate, Arrow const& arrow) {
@@ -135,13 +161,10 @@ void draw_arrow(Slate& slate, Arrow const& arrow) {
     slate.shapes->emplace_back(Stroke{from, neck, 3.5 * unit, arrow.paint});
     add_head(0, arrow.paint);
     if (arrow.name.empty()) return;
-    double const wide = (text_width(arrow.name) * 17 + 10) * unit;
-    // Beside the tip, clear of the shaft: figures and forces along one line do not write over each other.
-    Vec2 const aside = -arrow.side * across;
-    double const clear = std::abs(aside.x()) * (wide / 2 + 10 * unit) + std::abs(aside.y()) * 20 * unit;
-    Vec2 const at = to + clear * aside + Vec2(0, 5 * unit);
-    slate.shapes->emplace_back(
-        Panel{at - Vec2(wide / 2, 15 * unit), {wide, 20 * unit}, 6 * unit, colour(0xffffff, 0.8f)});
+    Panel const plate = plate_of(slate, arrow, to, along);
+    slate.names.push_back(plate);
+    slate.shapes->emplace_back(plate);
+    Vec2 const at = plate.corner + Vec2(plate.size.x() / 2, 15 * unit);
     slate.shapes->emplace_back(Label{at, 17 * unit, arrow.name, arrow.paint, Anchor::Centre});
 }
 

@@ -14,8 +14,9 @@ inline constexpr double table_width = 268;  // pixels of a picture of 1280x720
 struct Slate {
     std::vector<Shape>* shapes = nullptr;
     Camera const* camera = nullptr;
-    double table_left = 0;  // pixels
-    double next_table = 0;  // pixels from the top
+    double table_left = 0;     // pixels
+    double next_table = 0;     // pixels from the top
+    std::vector<Panel> names;  // of arrows that have been drawn: later ones stand clear of them
     game::Language language = game::Language::english;
 };
 

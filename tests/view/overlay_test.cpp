@@ -81,3 +81,30 @@ TEST_CASE("a list of overlays is read word by word") {
     CHECK(!view::overlays_from("forces,"));
     CHECK(!view::overlays_from("forces,,energy"));
 }
+
+TEST_CASE("names of figures and forces do not lie on each other as a ball that is pulled sets out") {
+    level::Level level = floor_level(16, 9);
+    level.scene.drag.frequency = 0.4;
+    physics::State state;
+    state.position = Vec2(5, 1.5);
+    for (double const speed : {0.5, 1.0, 1.5, 2.0, 3.0}) {
+        CAPTURE(speed);
+        state.velocity = Vec2(speed, 0);
+        view::Moment moment = view::moment_at(level, steady_history(state), 0.1);
+        moment.forces.pull = physics::Pull{0, moment.balls[0].position + Vec2(1, 0.4)};
+        view::Camera camera;
+        auto const shapes = view::overlay_shapes(level, moment, camera, {true, true, false});
+        std::vector<view::Panel> names;
+        for (view::Shape const& shape : shapes)
+            if (auto const* panel = std::get_if<view::Panel>(&shape); panel && panel->size.y() == 20)
+                names.push_back(*panel);
+        REQUIRE(names.size() >= 5);
+        for (std::size_t i = 0; i < names.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                Vec2 const a = names[i].corner, b = names[j].corner;
+                Vec2 const a_end = a + names[i].size, b_end = b + names[j].size;
+                bool const apart = a_end.x() <= b.x() || b_end.x() <= a.x() || a_end.y() <= b.y() || b_end.y() <= a.y();
+                CHECK(apart);
+            }
+    }
+}
