@@ -79,14 +79,15 @@ void fit(PlayGame& game, screen::Window const& window) {
     game.size = Vec2(std::max(extent.width, 1), std::max(extent.height, 1));
 }
 
-// Once nothing is left to save. While another thread loads OSMesa, whatever unloads a library waits for it, on busy
-// cores for seconds; the system takes all back with the program. A leak checker wants it undone. Not later on: Mesa has
-// a thread of lowest priority by then, which would have to end the program.
+// Once nothing is left to save, when the system takes all back with the program. A leak checker wants it undone.
 bool may_leave_at_once(screen::Window const& window) { return !__lsan_do_leak_check && window.may_be_left(); }
 
-[[noreturn]] void leave_at_once(int status) {
+// While another thread loads OSMesa, whatever unloads a library waits for it, on busy cores for seconds. Later Mesa has
+// a thread of lowest priority, and must have ended it, which it does at exit(), or that thread has to end the program.
+[[noreturn]] void leave_at_once(screen::Window const& window, int status) {
     std::fflush(nullptr);
-    std::quick_exit(status);
+    if (window.is_loading()) std::quick_exit(status);
+    std::exit(status);
 }
 
 // Until the player quits.
@@ -128,17 +129,17 @@ void play_in(screen::Window& window, PlayGame& game, Tour& tour, PlayOptions con
     // Before what takes time: sound and gamepads come after it.
     fit(game, window);
     window.present(tour.picker ? picture_of(game, *tour.picker) : picture_of(game, camera_of(game)));
-    PlaySound sound = options.no_sound ? PlaySound(std::nullopt) : PlaySound();
-    Cursors cursors;
-    Pads pads;
     try {
+        PlaySound sound = options.no_sound ? PlaySound(std::nullopt) : PlaySound();
+        Cursors cursors;
+        Pads pads;
         loop(game, tour, window, sound, cursors, pads);
     } catch (Interrupted const& error) {
         if (!may_leave_at_once(window)) throw;
         note(std::string("smb2d: ") + error.what());
-        leave_at_once(was_interrupted);
+        leave_at_once(window, was_interrupted);
     }
-    if (may_leave_at_once(window)) leave_at_once(done);
+    if (may_leave_at_once(window)) leave_at_once(window, done);
 }
 
 }  // namespace

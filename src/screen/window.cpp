@@ -193,11 +193,14 @@ void Window::release_pointer() { SDL_CaptureMouse(SDL_FALSE); }
 void Window::retitle(std::string const& title) { SDL_SetWindowTitle(body_->window.get(), title.c_str()); }
 
 bool Window::may_be_left() const {
-    std::future<Offscreen> const& coming = body_->coming;
-    bool const is_loading = coming.valid() && coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     char const* const name = SDL_GetCurrentVideoDriver();
     std::string_view const driver = name ? name : "";
-    return is_loading && (driver == "x11" || driver == "wayland");
+    return driver == "x11" || driver == "wayland";
+}
+
+bool Window::is_loading() const {
+    std::future<Offscreen> const& coming = body_->coming;
+    return coming.valid() && coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
 }
 
 std::string Window::renderer_name() const { return body_->renderer_name; }

@@ -51,9 +51,10 @@ public:
     // What paints, in words: "OpenGL, NVIDIA ..." or "software, llvmpipe ...".
     std::string renderer_name() const;
 
-    // Whether another thread still loads what paints, for which the destructor waits, and the display would take the
-    // window back by itself when the program ends, as X and Wayland do.
+    // Whether the display takes the window back by itself when the program ends, as X and Wayland do.
     bool may_be_left() const;
+    // Whether another thread still loads what paints: the destructor waits for it.
+    bool is_loading() const;
 
 private:
     struct Body;
