@@ -7,6 +7,7 @@
 #include "view/bodies.h"
 #include "view/outline_points.h"
 #include "view/camera.h"
+#include "view/contrast.h"
 #include "view/ending.h"
 #include "view/hud.h"
 #include "view/palette.h"
@@ -14,6 +15,9 @@
 namespace view {
 
 namespace {
+
+// Ratio of the picture's ground with the middle of the sky (WCAG 2.1).
+constexpr double least_contrast = 2;
 
 constexpr double tile_width = 280, tile_height = 158;  // pixels of a picture of 1280x720
 constexpr double step_x = 304, step_y = 200;           // the same, from tile to tile
@@ -98,13 +102,14 @@ void add_thumbnail(std::vector<Shape>& shapes, Thumbnail const& thumbnail, Frame
         Vec2 const off = (point - thumbnail.extent / 2) * scale;
         return middle + Vec2(off.x(), -off.y());
     };
+    Colour const ground = ground_colour(thumbnail);
     for (std::vector<Ring> const& body : thumbnail.ground) {
         Area area;
         for (Ring const& ring : body) {
             std::vector<Vec2>& points = area.rings.emplace_back();
             for (Vec2 const& point : ring) points.push_back(placed(point));
         }
-        area.paint.top = area.paint.bottom = mixed(palette::ink, thumbnail.sky_top, 0.22f);
+        area.paint.top = area.paint.bottom = ground;
         shapes.emplace_back(std::move(area));
     }
     double const dot = std::max(thumbnail.radius * scale, 2.5);
@@ -170,6 +175,13 @@ Ring ring_within(Ring const& ring, geometry::Box const& box) {
     cut([&](Vec2 const& p) { return p.y() - box.low.y(); });
     cut([&](Vec2 const& p) { return box.high.y() - p.y(); });
     return inside;
+}
+
+Colour ground_colour(Thumbnail const& thumbnail) {
+    Colour const sky = mixed(thumbnail.sky_top, thumbnail.sky_bottom, 0.5f);
+    Colour const dark = mixed(palette::ink, thumbnail.sky_top, 0.22f);
+    Colour const light = mixed(palette::bright, thumbnail.sky_bottom, 0.55f);
+    return contrast_ratio(dark, sky) >= least_contrast ? dark : light;
 }
 
 Thumbnail thumbnail_of(level::Level const& level) {

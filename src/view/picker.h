@@ -24,6 +24,8 @@ struct Thumbnail {
     double radius = 0.5;  // m, of the ball
 };
 Thumbnail thumbnail_of(level::Level const& level);
+// What ground is painted with: dark, or light where dark does not stand out from the sky, as at night.
+Colour ground_colour(Thumbnail const& thumbnail);
 
 struct Tile {
     std::string title;

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "level/level.h"
+#include "view/contrast.h"
 #include "view/polygon.h"
 
 using view::Ring;
@@ -52,6 +53,18 @@ TEST_CASE("a thumbnail of every level that ships shows its ground, whoever paint
         ++levels;
     }
     CHECK(levels >= 20);
+}
+
+TEST_CASE("the ground of every thumbnail stands out from the middle of its sky") {
+    for (auto const& entry : std::filesystem::directory_iterator(ASSETS "/levels")) {
+        if (entry.path().extension() != ".svg") continue;
+        CAPTURE(entry.path().filename().string());
+        view::Thumbnail const thumbnail = view::thumbnail_of(level::read_level(entry.path().string()));
+        view::Colour const sky{(thumbnail.sky_top.red + thumbnail.sky_bottom.red) / 2,
+                               (thumbnail.sky_top.green + thumbnail.sky_bottom.green) / 2,
+                               (thumbnail.sky_top.blue + thumbnail.sky_bottom.blue) / 2, 1};
+        CHECK(view::contrast_ratio(view::ground_colour(thumbnail), sky) > 2);
+    }
 }
 
 TEST_CASE("rows that are not seen are counted, and the bar scrolls towards them alone") {
