@@ -84,6 +84,7 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 82877},          // and over its other end
         {"narrow", 600417},         // lifted off the inner arc of a slot where the third derivative alone closes the outer gap
         {"narrow", 601096},         // the same
+        {"gaps", 801983},           // creeping past the end of what it crept along
         {"narrow+player", 700527},  // on the spring
         {"narrow", 600637},         // creeping up and away from what then held it against gravity
         {"narrow", 97347},          // on both corners of a slot at once: 6e-8 of its energy more

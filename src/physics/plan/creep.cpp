@@ -88,6 +88,22 @@ double span_of(MotionContext const& context, std::vector<ContactPoint> const& po
     return std::max(span, shortest_creep);
 }
 
+// How long, of `span`, a creeping ball takes to the nearest end of what it touches.
+double span_to_end(MotionContext const& context, std::vector<ContactPoint> const& points, State const& start, Vec2 pull,
+                   double span) {
+    for (ContactPoint const& s : points) {
+        if (!fits(context.terrain, s.contact, context.ball.radius)) continue;
+        Track const track = track_of(context.terrain, s.contact, context.ball.radius);
+        if (track.closed) continue;
+        Vec2 const along = geometry::turned_right(s.normal);
+        double const q = nearest_coordinate(track, start.position), speed = dot(start.velocity, along);
+        double const left = speed > 0 || (speed == 0 && dot(pull, along) > 0) ? track.length - q : q;
+        double const fastest = std::abs(speed) + std::abs(dot(pull, along)) * span;
+        if (left > touch_reach && fastest * span > left) span = left / fastest;
+    }
+    return std::max(span, shortest_creep);
+}
+
 }  // namespace
 
 Transition creeping(MotionContext const& context, State const& state, double time) {
@@ -113,7 +129,8 @@ Transition creeping(MotionContext const& context, State const& state, double tim
         transition.plan = plan_standing(start, contact, 0, time);
         return transition;
     }
-    double const span = span_of(context, points, geometry::length(start.velocity), geometry::length(pull));
+    double const straight = span_of(context, points, geometry::length(start.velocity), geometry::length(pull));
+    double const span = span_to_end(context, points, start, pull, straight);
     LegPlan& plan = transition.plan;
     plan.leg.since = time;
     plan.leg.motion = Ballistic{start, pull, 0};
