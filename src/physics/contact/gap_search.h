@@ -51,6 +51,7 @@ private:
         std::array<Linear, most_edges> edges;
         int count = 0;
         bool any = false;
+        bool alone = false;  // nothing else is met beyond its edges
 
         void add(Linear const& edge) { edges[count++] = edge; }
         bool holds(double t) const {
@@ -190,11 +191,11 @@ private:
             double const middle = to < never ? 0.5 * (from + to) : 2 * from + 1;
             if (!(to > from) && i > 0) continue;
             if (!domain.holds(middle)) continue;
-            // Running off the feature's end: what comes next there is looked at by itself.
+            // Running off the feature's end: what comes next there, if anything does, is looked at by itself.
             Vec2 const place = path_.at(from);
             bool const goes_nowhere = geometry::length(path_.at(to < never ? to : middle) - place) <= 4 * touch_reach &&
                                       geometry::length(path_.at(middle) - place) <= 4 * touch_reach;
-            if (to < until && goes_nowhere) continue;
+            if (to < until && goes_nowhere && !domain.alone) continue;
             if (!in_front(from)) continue;
             std::array<double, N> from_here = gap_from(from, gap, gap_of);
             Stand const stand = stand_at(from_here, metre, from, bend);
@@ -286,10 +287,20 @@ private:
         auto const make_domain = [&] {
             Domain domain;
             for (Vec2 const& direction : {v.first_edge, v.last_edge}) domain.add(path_.to_line(direction, v.point, 0));
+            domain.alone = ends_narrow_arc(v);
             return domain;
         };
         look([&](Path const& path) { return path.to_circle(v.point, radius_); }, 2 * radius_, 1 / radius_, {feature, 1},
              until, make_domain, [](double) { return true; });
+    }
+
+    // Whether an arc hardly narrower than the ball ends here, which that does not touch inside.
+    bool ends_narrow_arc(Vertex const& v) const {
+        return std::any_of(v.edges.begin(), v.edges.end(), [&](IncidentEdge const& edge) {
+            auto const* arc = std::get_if<geometry::Arc>(&terrain_.pieces[edge.piece].curve);
+            double const room = arc == nullptr ? 0 : arc->radius - radius_;
+            return room < -touch_reach && room > -socket_play;
+        });
     }
 
     // Whether all of the way, and a moment beyond, lies beside one of the vertex's pieces: then the vertex is not
