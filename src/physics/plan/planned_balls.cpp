@@ -76,7 +76,8 @@ bool PlannedBalls::stalls(int i) {
     LegEndCause const cause = plan.end.cause;
     if (cause == LegEndCause::meets || cause == LegEndCause::settles) watched(i);
     if (cause == LegEndCause::lifts || cause == LegEndCause::slips || cause == LegEndCause::grips) ++plan.flips.count;
-    return ++plan.stall.count > stall_events || plan.flips.count > flip_events;
+    bool const goes_on = plan.watch_mixed && plan.frame.count > most_frame_events;
+    return ++plan.stall.count > stall_events || plan.flips.count > flip_events || goes_on;
 }
 
 // Whether creeping takes it nowhere either.
