@@ -85,6 +85,8 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 600417},         // lifted off the inner arc of a slot where the third derivative alone closes the outer gap
         {"narrow", 601096},         // the same
         {"narrow+player", 801013},  // through a cup narrower by 1e-9 m, between its ends and nothing
+        {"narrow+player", 900009},  // thrown off and back by its spin alone
+        {"twice+player", 801940},   // spinning in a corner whose slope is as steep as its friction: no number
         {"gaps", 801983},           // creeping past the end of what it crept along
         {"narrow+player", 700527},  // on the spring
         {"narrow", 600637},         // creeping up and away from what then held it against gravity

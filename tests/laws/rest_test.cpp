@@ -86,6 +86,19 @@ TEST_CASE("T12 pinned: article knows of no rolling resistance: on a slope nothin
     CHECK(geometry::dot(state.velocity, slope.down) == doctest::Approx(g * std::sin(angle) * 5).epsilon(1e-12));
 }
 
+TEST_CASE("a spinning ball locks at once in a corner whose slope, 1 in 3, turns its friction, 3, against the wall") {
+    for (double const spin : {4.0, -4.0}) {
+        Run run(physics::Exact{}, scene_of({line({0, 2}, {6, 0}, material(3)), line({6, 0}, {6, 9}, material(0))},
+                                           {disc_at({5.5, 4}, {0, 0}, spin)}));
+        run.to(10);
+        // One way round it rubs until it stands, the other way the forces grow without bound.
+        CHECK(run.state().spin == 0);
+        CHECK(run.leg().phase == physics::Phase::rest);
+        CHECK(run.state().position.x() == doctest::Approx(5.5).epsilon(1e-9));
+        CHECK(run.state().position.y() == doctest::Approx((0.5 + 0.5 * std::sqrt(10)) / 3).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("spin in a symmetric groove falls at mu g / (k (1 + mu^2) cos)") {
     double const mu = 0.5;
     for (Bound const& bound : bounds_of(Law::groove)) {

@@ -79,9 +79,12 @@ std::optional<Transition> wedged(MotionContext const& context, Struck const& str
             if (std::abs(geometry::cross(a.normal, b.normal)) < parallel) continue;
             double const mu_a = friction_at(a), mu_b = friction_at(b);
             bool const grips_fully = std::isinf(mu_a) || std::isinf(mu_b);
-            TwoForces const hold = hold_of(context, still, a, b, grips_fully ? 0 : slip_sign);
+            TwoForces hold = hold_of(context, still, a, b, grips_fully ? 0 : slip_sign);
+            // Forces along one line with their friction balance no load: they grow until the spin has ended.
+            bool const locks = !std::isfinite(hold.first) || !std::isfinite(hold.second);
+            if (locks) hold = hold_of(context, still, a, b, 0);
             if (!holds(context, still, hold)) continue;
-            if (grips_fully) return held(a.contact, std::numeric_limits<double>::infinity());
+            if (grips_fully || locks) return held(a.contact, std::numeric_limits<double>::infinity());
             // What holds by rounding alone does not rub.
             return held(a.contact, mu_a * std::max(0.0, hold.first) + mu_b * std::max(0.0, hold.second));
         }
