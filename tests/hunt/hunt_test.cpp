@@ -87,6 +87,8 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow+player", 801013},  // through a cup narrower by 1e-9 m, between its ends and nothing
         {"narrow+player", 900009},  // thrown off and back by its spin alone
         {"twice+player", 801940},   // spinning in a corner whose slope is as steep as its friction: no number
+        {"zero-g", 1000256},        // in a socket with full grip, and without weight: infinity times 0
+        {"arcs+player", 1000303},   // bouncing 400 times in a sixtieth of a second, but not by its spin
         {"gaps", 801983},           // creeping past the end of what it crept along
         {"narrow+player", 700527},  // on the spring
         {"narrow", 600637},         // creeping up and away from what then held it against gravity

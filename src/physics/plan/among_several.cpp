@@ -70,7 +70,8 @@ std::optional<Transition> wedged(MotionContext const& context, Struck const& str
         ContactPoint const& socket = struck.points[i];
         bool const bears =
             socket.normals_turn != 0 && dot(load, socket.normal) >= (1 - parallel) * geometry::length(load);
-        if (bears) return held(socket.contact, friction_at(socket) * geometry::length(load));
+        double const force = geometry::length(load);
+        if (bears) return held(socket.contact, force > 0 ? friction_at(socket) * force : 0);
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
         for (std::size_t j = i + 1; j < kept.size(); ++j) {

@@ -67,6 +67,14 @@ bool PlannedBalls::is_elastic(Contact contact) const {
     return contact.feature >= 0 && material_of(scene_.terrain, contact.feature).restitution > most_summed;
 }
 
+// Whether the speed that the ball has come to would not take it out of touch against the pull.
+bool PlannedBalls::stays_in_touch(int i) const {
+    State const state = at_span(world_.legs[i], world_.plans[i].end.time);
+    double const pull =
+        geometry::length(acceleration_in(field_on(scene_, world_.forces, i), state.position, state.velocity));
+    return state.velocity.squaredNorm() <= 2 * pull * touch_reach;
+}
+
 // Counts the events of a lone ball within short spans: first they crowd, then, though no rule of ours should let them,
 // they stall.
 bool PlannedBalls::stalls(int i) {
@@ -76,7 +84,7 @@ bool PlannedBalls::stalls(int i) {
     LegEndCause const cause = plan.end.cause;
     if (cause == LegEndCause::meets || cause == LegEndCause::settles) watched(i);
     if (cause == LegEndCause::lifts || cause == LegEndCause::slips || cause == LegEndCause::grips) ++plan.flips.count;
-    bool const goes_on = plan.watch_mixed && plan.frame.count > most_frame_events;
+    bool const goes_on = plan.watch_mixed && plan.frame.count > most_frame_events && stays_in_touch(i);
     return ++plan.stall.count > stall_events || plan.flips.count > flip_events || goes_on;
 }
 

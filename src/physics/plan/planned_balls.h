@@ -15,8 +15,8 @@ inline constexpr int watch_events = 1000;   // these in that span for one of sev
 // a socket, under the pull of the spring or where all but nothing is lost, end where they crowd: after so many of them
 // within watch_span, or within frame_span, nothing bounces back. Where more events than stall_events fall in
 // stall_span, the ball creeps on (transition.h), and so it does where it changes between contact modes more often than
-// flip_events in flip_span, as between two walls as far apart as it is wide; soon after that, after flips_again. It also
-// does where blows on several surfaces go on without bouncing, by spin: after most_frame_events in frame_span.
+// flip_events in flip_span, as between two walls as far apart as it is wide; soon after that, after flips_again. It
+// also does where blows on several surfaces go on by its spin alone: after most_frame_events in frame_span.
 inline constexpr int crowd_events = 50;
 inline constexpr double frame_span = 1.0 / 60;  // s
 inline constexpr int frame_events = 200;
@@ -64,6 +64,7 @@ private:
     void take(int i, Transition const& transition);
     Transition after_hit(int i, State const& state) const;
     bool is_elastic(Contact contact) const;
+    bool stays_in_touch(int i) const;
     bool stalls(int i);
     bool jams(int i);
     void creep(int i);
