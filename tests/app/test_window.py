@@ -261,6 +261,13 @@ class Window(ProgramTest):
         return until(lambda: [path for path in (self.folder / "data").rglob("*.json")
                               if b'"final"' in path.read_bytes()], "the saved run", self.game)[0]
 
+    def so_far(self):
+        """The run until now."""
+        file = self.save()
+        run = json.loads(file.read_text())
+        file.unlink()
+        return run
+
     def close(self):
         self.game.send_signal(signal.SIGTERM)
         self.game.wait(timeout=PATIENCE)
@@ -385,7 +392,7 @@ class Window(ProgramTest):
         self.move_to(START)
         self.pointer("mousedown", 1)
         self.move_to(far)
-        self.pointer("sleep", 1)
+        until(lambda: sum("move" in entry for entry in self.so_far()["inputs"]) > 10, "the hook to go along", self.game)
         self.pointer("mouseup", 1)
         run = self.save()
         self.close()
@@ -453,7 +460,7 @@ class Window(ProgramTest):
         self.assertEqual(json.loads(run.read_text())["duration"], 0)
         run.unlink()
         self.pointer("keydown", "Right")
-        self.pointer("sleep", 0.3)
+        until(lambda: self.so_far()["duration"] > 0, "the world to go on", self.game)
         self.pointer("keyup", "Right")
         run = self.save()
         self.assertEqual(self.inputs(run)[0]["t"], 0)
@@ -618,7 +625,7 @@ class Window(ProgramTest):
     def test_f6_films_what_was_played_while_the_game_goes_on(self):
         self.open("software")
         self.press_key("space")
-        self.pointer("sleep", 0.3)
+        until(lambda: self.so_far()["duration"] > 0.2, "the world to go on", self.game)
         self.press_key("F6")
         films = lambda: [path for path in (self.folder / "data").rglob("*.mp4") if ".part." not in path.name]
         film = until(films, "the film", self.game)[0]
