@@ -73,7 +73,7 @@ private:
     bool grazes(std::array<double, N> const& gap, double metre, double t) const {
         if (!(gap[1] < 0 && gap[2] > 0)) return false;
         double const least = 2 * least_dip(path_.at(t)) * metre;
-        double const bottom = gap[1] / (-2 * gap[2]), dip = gap[2] * bottom * bottom;
+        double const bottom = gap[1] / (-2 * gap[2]), dip = dip_of(gap[1], 2 * gap[2]);
         auto const rise = [&](double share) { return geometry::value_at(gap, share * bottom) - gap[0]; };
         return dip - std::max(gap[0], 0.0) <= least && rise(1) >= -dip - least && rise(2) >= -least &&
                rise(4) >= 4 * dip;

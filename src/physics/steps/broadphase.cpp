@@ -148,18 +148,16 @@ Box reach_of_plan(BodyState const& body_state, Leg const& leg, double now, doubl
     if (end < then) {
         State const state = at(leg, end);
         Vec2 const margin = Vec2::Constant(farthest(body_state, state, then - end));
-        box.low = box.low.cwiseMin(state.position - margin);
-        box.high = box.high.cwiseMax(state.position + margin);
+        box = geometry::united(box, {state.position - margin, state.position + margin});
     }
-    Vec2 const radius = Vec2::Constant(body_state.ball->radius);
-    return {box.low - radius, box.high + radius};
+    return geometry::grown(box, body_state.ball->radius);
 }
 
 bool any_overlap(std::vector<Box>& boxes) {
     std::sort(boxes.begin(), boxes.end(), [](Box const& a, Box const& b) { return a.low.x() < b.low.x(); });
     for (auto a = boxes.begin(); a != boxes.end(); ++a)
         for (auto b = a + 1; b != boxes.end() && b->low.x() <= a->high.x(); ++b)
-            if (b->low.y() <= a->high.y() && a->low.y() <= b->high.y()) return true;
+            if (geometry::overlap(*a, *b)) return true;
     return false;
 }
 
