@@ -44,7 +44,7 @@ void note_misspellings(level::Level const& level) {
         note("smb2d: " + level.file + ":" + std::to_string(finding.line) + ": warning: " + finding.text);
 }
 
-void note_advice(Opened const& opened, game::MethodWish const& wish) {
+void note_choice(Opened const& opened, game::MethodWish const& wish) {
     game::MethodWish const whole = whole_wish(opened, wish);
     if (!whole.tolerance) return;
     bool const is_named = whole.name.value_or("auto") != "auto";

@@ -30,7 +30,7 @@ void note_misspellings(level::Level const& level);
 
 // Says on standard error which method is chosen for a tolerance, and why, where none is named; and where the tolerance
 // is no more than an estimate.
-void note_advice(Opened const& opened, game::MethodWish const& wish);
+void note_choice(Opened const& opened, game::MethodWish const& wish);
 
 // What the command line asks for, else what the run was made with, else `auto`. A tolerance is watched where it cannot
 // be promised, but not for the window, where what the player will do is not known.

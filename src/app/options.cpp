@@ -25,10 +25,11 @@ std::optional<long long> whole_number_in(std::string const& text) {
 }  // namespace
 
 void declare(Subcommand& command, MethodOptions& options) {
-    command.takes("--method", options.method, "auto, article, euler, steps or exact (default: the run's, else auto)", "NAME");
+    command.takes("--method", options.method, "auto, article, euler, steps or exact (default: the run's, else auto)",
+                  "NAME");
     command.takes("--rate", options.rate, "steps a second (default: the run's, else 240)", "HZ");
-    command.takes("--tolerance", options.tolerance, "deepest error wanted; auto picks the cheapest that keeps it",
-                  "METRES");
+    command.takes("--tolerance", options.tolerance,
+                  "deepest error wanted (of piles, overlap): steps takes a rate that keeps it", "METRES");
 }
 
 game::MethodWish wish_from(MethodOptions const& options) {

@@ -81,7 +81,7 @@ Sequence sequence_for(SequenceOptions const& options) {
     if (!options.quiet) {
         note_changed_level(opening);
         note_misspellings(*opening.level);
-        note_advice(opening, wish);
+        note_choice(opening, wish);
     }
     sequence.session = watched_session_for(opening, wish);
     sequence.count = count_of(sequence, to ? *to : duration_of(opening.run), options.rate);

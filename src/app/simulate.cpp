@@ -74,7 +74,7 @@ int simulate(SimulateOptions const& options) {
     Opened const opening = opened(options.file);
     note_changed_level(opening);
     note_misspellings(*opening.level);
-    note_advice(opening, wish);
+    note_choice(opening, wish);
     game::Session session = watched_session_for(opening, wish);
     game::Fraction const end = to ? *to : duration_of(opening.run);
     expect_few_rows(options, every, end);

@@ -59,7 +59,7 @@ int verify(VerifyOptions const& options) {
             Opened const opening = opened(file);
             if (!opening.is_run) throw std::runtime_error(file + ": is a level, not a run");
             note_misspellings(*opening.level);
-            note_advice(opening, wish);
+            note_choice(opening, wish);
             auto const differences = differences_in(opening, wish);
             if (!differences.empty()) status = fault_found;
             verdict = verdict_on(opening, differences) + "\n";

@@ -28,11 +28,12 @@ bool is_method_name(std::string const& name);
 // Why no method of that name can be had, or nothing when it can.
 std::optional<std::string> objection_to(MethodWish const& wish);
 
-// The rate at which `steps` keeps a tolerance, its usual one at least.
-double rate_within(double tolerance);  // m -> steps/s
+// The rate at which `steps` keeps a tolerance, m: its usual one at least; of piles, whose error is that balls sink into
+// each other, what is known to suffice, 60 to 960 steps/s.
+double rate_within(double tolerance, physics::Scene const& scene);
 
-// The method named, or the one chosen for the scene: by its needs or, with a tolerance, by advice (physics/advice.h). A
-// named rate weighs more than a tolerance. Throws std::runtime_error with the objection, if there is one.
+// The method named, or the one chosen for the scene by its needs; with a tolerance, `steps` at the rate that keeps it.
+// A named rate weighs more than a tolerance. Throws std::runtime_error with the objection, if there is one.
 physics::Choice choice_for(MethodWish const& wish, physics::Scene const& scene);
 physics::Method method_for(MethodWish const& wish, physics::Scene const& scene);
 

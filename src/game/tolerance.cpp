@@ -7,13 +7,13 @@
 
 namespace game {
 
-namespace {
-
 std::string in_metres(double length) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2g m", length);
     return text;
 }
+
+namespace {
 
 std::string in_seconds(double time) {
     char text[32];

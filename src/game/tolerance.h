@@ -9,6 +9,8 @@
 
 namespace game {
 
+std::string in_metres(double length);  // m, in two digits, for people
+
 // Only one ball under the exact method has no error but rounding, whatever happens to it.
 bool is_promised(physics::Method const& method, physics::Scene const& scene);
 

@@ -19,11 +19,4 @@ std::vector<PileSolver> heapers();
 
 physics::Scene pile_of(int balls);
 
-// A pile of ours that has settled for so many seconds.
-struct Settled {
-    double cost = 0;     // ns per simulated second, kept awake
-    double overlap = 0;  // m, the deepest
-};
-Settled settled(int balls, physics::Steps const& method, double settling);
-
 }  // namespace bench

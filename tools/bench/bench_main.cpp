@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "bench_advice.h"
 #include "bench_level.h"
 #include "bench_maps.h"
 #include "bench_part.h"
@@ -84,13 +83,7 @@ bool draw_maps(Options const& options) {
         std::ofstream changes = options.tables.open("energy.tsv");
         bench::chart_energy(options.lab, at_frame_rate(), quick ? 20 : 60, changes);
     }
-    if (options.wants("advice")) {
-        physics::Experience const seen = bench::experience_from(options.lab, options.effort());
-        std::ofstream experience = options.tables.open("advice_table.inc"), judged = options.tables.open("advice.tsv");
-        bench::write_experience(seen, experience);
-        bench::judge_advice(seen, SMB2D_LEVELS, quick ? 24 : 240, judged);
-    }
-    return stability || energy || options.wants("advice");
+    return stability || energy;
 }
 
 void run(Options const& options) {
@@ -136,7 +129,7 @@ int main(int argc, char** argv) {
     program.add_option("--lab", options.lab, "where the scenes are")->type_name("FOLDER");
     program.add_option("-o,--out", options.tables.folder, "where the tables go (default: out/bench)")
         ->type_name("FOLDER");
-    program.add_option("--only", options.only, "one scene, or needs, numbers, piles, stability, energy, advice")
+    program.add_option("--only", options.only, "one scene, or needs, numbers, piles, stability, energy")
         ->type_name("NAME");
     program.add_flag("--quick", options.quick, "a glance, in less than a minute");
     program.footer(

@@ -98,14 +98,6 @@ std::vector<PileSolver> heapers() {
     return all;
 }
 
-Settled settled(int balls, physics::Steps const& method, double settling) {
-    auto const pile = our_pile(pile_of(balls), method);
-    for (int i = 0; i < settling * frames_per_second; ++i) pile->frame();
-    double least = physics::never;
-    for (int i = 0; i < repeats; ++i) least = std::min(least, seconds_of_frames(*pile, timed_frames));
-    return {least * 1e9 * frames_per_second / timed_frames, deepest_overlap(pile->positions())};
-}
-
 Part piles_part(std::vector<int> const& counts, double settling) {
     Part part;
     std::vector<std::shared_ptr<Heap>> heaps;
