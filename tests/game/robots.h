@@ -69,12 +69,12 @@ struct TwoStepRobot {
 
 // On to `until`, or the end of the game, with a pointer that stays where it is from the ball (m) while one is held.
 inline void play_on(game::Session& session, double until, Vec2 const& pointer_from_ball) {
-    constexpr double step = 1.0 / 60;  // s
     while (session.world.time < until && !session.goal_time && !session.fall_time) {
         if (session.world.forces.pull) {
             Vec2 const ball = physics::state_at(session.history, session.level->player, session.world.time).position;
             game::act(session, game::Move{ball + pointer_from_ball});
         }
+        double const step = session.world.forces.pull ? 1.0 / 60 : 1;  // s
         game::advance(session, std::min(until, session.world.time + step));
     }
 }
