@@ -70,14 +70,15 @@ double time_for(FreePath const& path, double t, double way) {
 
 }  // namespace
 
-SweepHit first_contact(Terrain const& terrain, Parabola const& start, double radius, double until, int own) {
+SweepHit first_contact(Terrain const& terrain, Parabola const& start, double radius, double until, int own,
+                       double enough) {
     FreePath const path{start};
     GapSearch<FreePath> search(terrain, path, radius, own);
     if (terrain.pieces.empty()) return search.first;
     double from = 0;
     bool const in_the_open = until < never || terrain.pieces.size() <= few_pieces;
     double way = (in_the_open ? first_window_in_the_open : first_window) * radius;
-    while (from < until) {
+    while (from < until && from <= enough) {
         if (gone(terrain, path, from, radius)) break;
         double const to = std::min(until, from + time_for(path, from, way));
         if (to == never || !(to > from)) break;
@@ -133,10 +134,10 @@ SweepHit first_contact_on(Terrain const& terrain, RoundPath const& path, double 
 }  // namespace
 
 SweepHit first_contact(Terrain const& terrain, Track const& circle, double q, int direction, double radius,
-                       double until, int own) {
+                       double until, int own, double enough) {
     double const sense = -direction * circle.sense;
     double const phi = circle.phi0 - circle.sense * q / circle.rho;
-    for (double way = 0; way <= until; way += quarter * circle.rho) {
+    for (double way = 0; way <= until && way <= enough; way += quarter * circle.rho) {
         double const turn = std::min(quarter, (until - way) / circle.rho);
         auto const [sine, cosine] = geometry::sine_cosine(phi + sense * way / circle.rho);
         Vec2 const out = circle.rho * Vec2(cosine, sine);

@@ -45,12 +45,14 @@ struct SweepHit {
     Contact contact;
 };
 
-// The first terrain that a ball meets within `until` (may be infinite) other than the feature `own`, if not -1.
+// The first terrain that a ball meets within `until` (may be infinite) other than the feature `own`, if not -1. What is
+// met later than `enough` may be left out; what is found does not hang on it.
 //
 // A gap is the distance from the ball's rim to a piece. What is met is decided by gap and rate alone: a gap that is
 // closed, within touch_reach, and closes is met at once; one that is closed and opens, or stays, is met when it closes
 // again. docs/physics.md 12.3 argues why nothing is left out.
-SweepHit first_contact(Terrain const& terrain, Parabola const& path, double radius, double until, int own = -1);
+SweepHit first_contact(Terrain const& terrain, Parabola const& path, double radius, double until, int own = -1,
+                       double enough = never);
 
 // The same for flight on the drag spring, between `from` and `until` seconds (finite) after the leg began.
 SweepHit first_contact(Terrain const& terrain, SpringFlight const& flight, double radius, double from, double until);
@@ -58,6 +60,6 @@ SweepHit first_contact(Terrain const& terrain, SpringFlight const& flight, doubl
 // The same for a ball that follows a circular track from q, forwards (+1) or backwards (-1), within `until` metres, at
 // most one turn.
 SweepHit first_contact(Terrain const& terrain, Track const& circle, double q, int direction, double radius,
-                       double until, int own);
+                       double until, int own, double enough = never);
 
 }  // namespace physics

@@ -133,10 +133,10 @@ TrackEnd end_of(Terrain const& terrain, Contact contact, Track const& track, dou
 }
 
 SweepHit obstacle_on(Terrain const& terrain, Track const& track, double q, double radius, int direction, double until,
-                     int own) {
-    if (!track.straight) return first_contact(terrain, track, q, direction, radius, until, own);
+                     int own, double enough) {
+    if (!track.straight) return first_contact(terrain, track, q, direction, radius, until, own, enough);
     Parabola const path{position_at(track, q), direction * track.along, Vec2::Zero()};
-    return first_contact(terrain, path, radius, until, own);
+    return first_contact(terrain, path, radius, until, own, enough);
 }
 
 // The vertex in which the track of a piece ends, or -1.
@@ -158,14 +158,15 @@ bool is_passed_at(TrackEnd const& end, int vertex, SweepHit const& hit, double u
 
 }  // namespace
 
-TrackEnds ends_of_track(Terrain const& terrain, Contact contact, Track const& track, double q, double radius) {
+TrackEnds ends_of_track(Terrain const& terrain, Contact contact, Track const& track, double q, double radius,
+                        double reach) {
     TrackEnds ends{end_of(terrain, contact, track, radius, towards_low),
                    end_of(terrain, contact, track, radius, towards_high)};
     double const whole_turn = 2 * pi * track.rho;
     for (int const direction : {towards_low, towards_high}) {
         TrackEnd& end = direction == towards_low ? ends.low : ends.high;
         double const until = track.closed ? whole_turn : std::max(0.0, direction * (end.q - q));
-        SweepHit const found = obstacle_on(terrain, track, q, radius, direction, until, contact.feature);
+        SweepHit const found = obstacle_on(terrain, track, q, radius, direction, until, contact.feature, reach);
         double const early = track.closed ? 0 : std::max(0.0, direction > 0 ? track.length - end.q : end.q);
         int const vertex = vertex_at(terrain, contact, direction);
         if (found.time > until || is_passed_at(end, vertex, found, until, early)) continue;

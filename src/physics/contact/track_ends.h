@@ -24,7 +24,9 @@ struct TrackEnds {
     TrackEnd low, high;  // towards smaller and greater q
 };
 
-// How far a ball of this radius can follow its track from q.
-TrackEnds ends_of_track(Terrain const& terrain, Contact contact, Track const& track, double q, double radius);
+// How far a ball of this radius can follow its track from q. What is in the way farther off than `reach` (m) may be left
+// out.
+TrackEnds ends_of_track(Terrain const& terrain, Contact contact, Track const& track, double q, double radius,
+                        double reach = never);
 
 }  // namespace physics

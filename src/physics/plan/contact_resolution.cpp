@@ -64,6 +64,18 @@ bool parts(MotionContext const& context, Struck const& struck, std::size_t i, Ve
 
 }  // namespace
 
+namespace {
+
+// m, how far a ball on its track can get within the horizon: friction drives it at most as fast as its rim, gravity
+// adds to that.
+double farthest_on_track(MotionContext const& context, SurfaceState const& on_track) {
+    if (context.horizon == never || context.field.pulled) return never;
+    double const speed = std::max(std::abs(on_track.speed), std::abs(on_track.rim));
+    return 2 * context.horizon * (speed + context.horizon * geometry::length(context.field.gravity));
+}
+
+}  // namespace
+
 Transition ride_from(MotionContext const& context, SurfaceState const& free_state, double time) {
     Transition transition;
     // Full grip slows a ball that slips: what its way pressed on before may press no more.
@@ -74,8 +86,8 @@ Transition ride_from(MotionContext const& context, SurfaceState const& free_stat
         return transition;
     }
     ContactMode const mode = contact_mode_for(context, on_track, ModeHint::none);
-    transition.track_ends =
-        ends_of_track(context.terrain, on_track.contact, on_track.track, on_track.q, context.ball.radius);
+    transition.track_ends = ends_of_track(context.terrain, on_track.contact, on_track.track, on_track.q,
+                                          context.ball.radius, farthest_on_track(context, on_track));
     transition.plan = mode.phase == Phase::rest ? plan_standing(state_of(context, on_track), on_track.contact, 0, time)
                                                 : plan_track(context, on_track, mode, transition.track_ends, time);
     if (mode.phase == Phase::rest) transition.contact_events.push_back({EventKind::rest, on_track.contact});

@@ -20,6 +20,7 @@ struct MotionContext {
     // Of bounces just before (planned_balls.h): they have crowded and end now, restitution counts for nothing; or there
     // were many, and those to come, if as short, are summed.
     bool crowded = false, many = false;
+    double horizon = never;  // s from now: what comes later need not be known
 };
 
 // A ball on its track.

@@ -58,7 +58,7 @@ LegPlan plan_flight(MotionContext const& context, State const& state, double sin
     }
     plan.leg.motion = Ballistic{state, context.field.gravity, 0};
     Parabola const path{state.position, state.velocity, context.field.gravity};
-    SweepHit const found = first_contact(context.terrain, path, context.ball.radius, never);
+    SweepHit const found = first_contact(context.terrain, path, context.ball.radius, never, -1, context.horizon);
     plan.end.time = found.time;
     plan.leg.until = since + found.time;
     plan.end.cause = found.time < never ? LegEndCause::meets : LegEndCause::none;

@@ -23,7 +23,7 @@ MotionContext PlannedBalls::context(int i) const {
     bool const has_a_limit = !field.pulled && !plan.watch_mixed && !plan.watch_elastic;
     int const most = plan.watch_mixed ? crowd_events : crowd_events / 2;
     bool const crowded = alone_ && (plan.watch.count > most || plan.frame.count > frame_events) && !has_a_limit;
-    return {scene_.terrain, scene_.balls[i], field, crowded, alone_ && plan.frame.count > many_events};
+    return {scene_.terrain, scene_.balls[i], field, crowded, alone_ && plan.frame.count > many_events, horizon_};
 }
 
 void PlannedBalls::tell(EventKind kind, int i, State const& state, Contact contact) {
@@ -231,9 +231,9 @@ private:
 }  // namespace
 
 void set_out(Scene const& scene, World& world, History& history, int ball, State const& state, Contact known,
-             double time) {
+             double time, double horizon) {
     Clock const clock(world, time);
-    PlannedBalls(scene, world, history, true).resolve(ball, state, known);
+    PlannedBalls(scene, world, history, true, horizon).resolve(ball, state, known);
 }
 
 void strike(Scene const& scene, World& world, History& history, int ball, State const& state, double time) {

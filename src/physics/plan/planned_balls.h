@@ -35,9 +35,10 @@ inline constexpr int creep_events = 50;
 // One call's view of the balls of a world that are on their plans. Legs and events go to the history at world.time.
 class PlannedBalls {
 public:
-    // `alone`: balls go by the rules of one that is alone in its world.
-    PlannedBalls(Scene const& scene, World& world, History& history, bool alone)
-        : scene_(scene), world_(world), history_(history), alone_(alone) {}
+    // `alone`: balls go by the rules of one that is alone in its world. What comes more than `horizon` (s) after
+    // world.time need not be known.
+    PlannedBalls(Scene const& scene, World& world, History& history, bool alone, double horizon = never)
+        : scene_(scene), world_(world), history_(history), alone_(alone), horizon_(horizon) {}
 
     // Sets out from a state at world.time; `known` is the contact that the caller knows to be touched, or no_contact.
     void resolve(int i, State const& state, Contact known);
@@ -77,12 +78,13 @@ private:
     World& world_;
     History& history_;
     bool alone_;
+    double horizon_;
 };
 
-// The same of one ball, as if alone in its world, at a time (s) other than the world's. It sets out from a state, or,
-// on its plan, is given another by a hit ...
+// The same of one ball, as if alone in its world, at a time (s) other than the world's. It sets out from a state, to be
+// followed for no longer than `horizon` (s), or, on its plan, is given another by a hit ...
 void set_out(Scene const& scene, World& world, History& history, int ball, State const& state, Contact known,
-             double time);
+             double time, double horizon = never);
 void strike(Scene const& scene, World& world, History& history, int ball, State const& state, double time);
 // ... comes to `until` by its events up to then ...
 void follow_plan(Scene const& scene, World& world, History& history, int ball, double until);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "physics/motion/leg_bounds.h"
 #include "physics/steps/contact_island.h"
@@ -211,11 +212,10 @@ std::vector<CachedContact> all_touches(ContactIsland const& island) {
 
 bool group(StepContext& context) {
     if (!context.regroup) return false;
-    context.regroup = context.relist = false;
     std::size_t const count = context.body_states.size();
     context.leaning.assign(count, 0);
-    context.live.clear();
-    context.pairs_of.clear();
+    std::vector<int> const live_before = std::exchange(context.live, {});
+    context.live.reserve(live_before.size());
     context.island.pairs.clear();
     for (std::size_t k = 0; k < context.ball_pairs.size(); ++k) {
         BallPair const& pair = context.ball_pairs[k];
@@ -225,12 +225,14 @@ bool group(StepContext& context) {
         context.leaning[pair.first] = context.leaning[pair.second] = 1;
         if (live) context.island.pairs.push_back(static_cast<int>(k));
     }
+    if (context.relist || context.live != live_before) context.pairs_of.clear();
+    context.regroup = context.relist = false;
     context.awake.clear();
     context.free.clear();
     context.island.balls.clear();
     context.departures.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (context.asleep[i]) depart(context, static_cast<int>(i), 0);
+        if (context.asleep[i]) depart(context, static_cast<int>(i), 0, 0);
         if (context.asleep[i] || context.alone[i]) continue;
         context.awake.push_back(static_cast<int>(i));
         (context.leaning[i] ? context.island.balls : context.free).push_back(static_cast<int>(i));
@@ -256,12 +258,12 @@ void release_parted(StepContext& context, double now) {
     }
 }
 
-void remember_departures(StepContext& context) {
+void remember_departures(StepContext& context, double until) {
     for (int const i : context.island.balls) {
         context.departures[i].state = context.body_states[i].state;
         context.departures[i].time = 0;
     }
-    for (int const i : context.free) depart(context, i, 0);
+    for (int const i : context.free) depart(context, i, 0, until);
 }
 
 }  // namespace physics

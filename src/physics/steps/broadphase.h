@@ -27,7 +27,7 @@ void release_parted(StepContext& context, double now);
 // Contacts with terrain of the balls that are moved and of those asleep.
 std::vector<CachedContact> all_touches(ContactIsland const& island);
 
-void remember_departures(StepContext& context);
+void remember_departures(StepContext& context, double until);  // s, the end of the substep
 
 // Impacts between balls within the substep, each at its moment: both go back to it, hit, and travel on. Pairs that
 // close too slowly to bounce begin to lean on each other.

@@ -101,11 +101,8 @@ struct Softly {
 };
 
 Softly softly_in(StepContext const& context, Substep const& substep) {
-    auto const [lightest, heaviest] =
-        std::minmax_element(context.body_states.begin(), context.body_states.end(),
-                            [](BodyState const& a, BodyState const& b) { return a.ball->mass < b.ball->mass; });
     return {soft_closing * length(context.body_states.front().field->gravity) * substep.length,
-            std::min(most_outweigh, heaviest->ball->mass / lightest->ball->mass) - 1};
+            std::min(most_outweigh, context.mass_ratio) - 1};
 }
 
 double soft_closing_of(StepContext const& context, BallPair const& e, Softly const& soft) {
@@ -124,8 +121,11 @@ Touching touching_of(StepContext const& context, Substep const& substep, int pai
     BallPair const& e = context.ball_pairs[pair];
     BodyState const& a = context.body_states[e.first];
     BodyState const& b = context.body_states[e.second];
-    Vec2 const relative = b.state.velocity - a.state.velocity;
-    if (e.leaning && dot(relative, relative) <= soft.fall * soft.fall) return {pair, never, soft.fall};
+    if (e.leaning) {
+        Vec2 const relative = b.state.velocity - a.state.velocity;
+        if (dot(relative, relative) <= soft.fall * soft.fall) return {pair, never, soft.fall};
+        if (dot(relative, b.state.position - a.state.position) >= 0) return {pair, never, 0};
+    }
     double const rounding = unmoving * (length(a.state.velocity) + length(b.state.velocity));
     double const least = e.leaning ? rounding + soft_closing_of(context, e, soft) : rounding;
     if (e.leaning && closing_of(context, e) <= least) return {pair, never, least};
@@ -193,7 +193,9 @@ Bunches taken_due(StepContext& context, std::vector<Touching>& touchings, double
 // Those of one moment that share balls hit together. Answers whether any does.
 bool strike_bunch(StepContext& context, Substep const& substep, std::span<Touching const> bunch) {
     double time = never;
-    std::vector<int> balls;
+    std::vector<int>&balls = context.bunch_balls, &closing = context.bunch_pairs;
+    balls.clear();
+    closing.clear();
     for (Touching const& touching : bunch) {
         BallPair const& e = context.ball_pairs[touching.pair];
         time = std::min(time, touching.time);
@@ -201,7 +203,6 @@ bool strike_bunch(StepContext& context, Substep const& substep, std::span<Touchi
             if (std::find(balls.begin(), balls.end(), ball) == balls.end()) balls.push_back(ball);
     }
     for (int const ball : balls) go_back(context, substep, ball, std::max(time, context.departures[ball].time));
-    std::vector<int> closing;
     for (Touching const& touching : bunch)
         if (closing_of(context, context.ball_pairs[touching.pair]) > touching.least) closing.push_back(touching.pair);
     if (!closing.empty()) hit(context, substep, closing, time);
@@ -274,7 +275,7 @@ void note_bodies(StepContext& context, std::vector<int> const& balls) {
     }
 }
 
-// By ball, which of the live pairs it is in.
+// By ball, which of the live pairs it is in, in order.
 void list_pairs_of_balls(StepContext& context) {
     context.pairs_from.assign(context.body_states.size() + 1, 0);
     for (int const k : context.live) {
@@ -283,29 +284,34 @@ void list_pairs_of_balls(StepContext& context) {
     }
     for (std::size_t i = 1; i < context.pairs_from.size(); ++i) context.pairs_from[i] += context.pairs_from[i - 1];
     context.pairs_of.resize(2 * context.live.size());
-    for (int const k : context.live)
-        for (int const ball : {context.ball_pairs[k].first, context.ball_pairs[k].second})
-            context.pairs_of[--context.pairs_from[ball]] = k;
+    for (auto k = context.live.rbegin(); k != context.live.rend(); ++k)
+        for (int const ball : {context.ball_pairs[*k].first, context.ball_pairs[*k].second})
+            context.pairs_of[--context.pairs_from[ball]] = *k;
 }
 
-// Those whose way is not what it was.
-std::vector<int> struck_pairs(StepContext& context) {
-    std::vector<int> balls;
-    for (std::size_t i = 0; i < context.struck.size(); ++i)
-        if (context.struck[i]) balls.push_back(static_cast<int>(i));
+// Those whose way is not what it was, in order.
+void find_struck_pairs(StepContext& context, std::vector<int>& pairs) {
+    std::vector<int>& balls = context.struck_balls;
+    std::sort(balls.begin(), balls.end());
     note_bodies(context, balls);
     find_more_neighbours(context, balls);
     if (context.relist) group(context);
     if (context.pairs_of.empty()) list_pairs_of_balls(context);
-    std::vector<int> struck;
-    for (int const ball : balls) {
-        struck.insert(struck.end(), context.pairs_of.begin() + context.pairs_from[ball],
-                      context.pairs_of.begin() + context.pairs_from[ball + 1]);
-        context.struck[ball] = 0;
+    pairs.clear();
+    for (bool const as_first : {true, false}) {  // pairs are in order of the first ball
+        auto const before = static_cast<std::ptrdiff_t>(pairs.size());
+        for (int const ball : balls)
+            for (int i = context.pairs_from[ball]; i < context.pairs_from[ball + 1]; ++i) {
+                int const first = context.ball_pairs[context.pairs_of[i]].first;
+                if (as_first ? first == ball : first != ball && !context.struck[first])
+                    pairs.push_back(context.pairs_of[i]);
+            }
+        if (as_first) continue;
+        std::sort(pairs.begin() + before, pairs.end());
+        std::inplace_merge(pairs.begin(), pairs.begin() + before, pairs.end());
     }
-    std::sort(struck.begin(), struck.end());
-    struck.erase(std::unique(struck.begin(), struck.end()), struck.end());
-    return struck;
+    for (int const ball : balls) context.struck[ball] = 0;
+    balls.clear();
 }
 
 // Whether the pull on a leaning ball is more than soft contacts hold even for one substep.
@@ -333,15 +339,15 @@ bool hit_all(StepContext& context, Substep const& substep, std::vector<int> pair
         any = any || hits;
         if (!hits) return any;
         for (Touching const& waiting : touchings)
-            context.struck[context.ball_pairs[waiting.pair].first] =
-                context.struck[context.ball_pairs[waiting.pair].second] = 1;
-        pairs = struck_pairs(context);
+            for (int const ball : {context.ball_pairs[waiting.pair].first, context.ball_pairs[waiting.pair].second})
+                mark_struck(context, ball);
+        find_struck_pairs(context, pairs);
     }
     std::vector<Touching> const crowding = touchings_of(context, substep, pairs, soft);
     for (Touching const& touching : crowding)
         if (touching_of(context, substep, touching.pair, soft).time <= substep.length)
             stop_crowd(context, substep, touching.pair, touching.time);
-    struck_pairs(context);
+    find_struck_pairs(context, pairs);
     return any;
 }
 
@@ -354,6 +360,7 @@ void collide(StepContext& context, Substep const& substep) {
     if (context.relist) group(context);
     CandidatePairs candidates = suspects_of(context, substep, soft);
     context.struck.assign(context.body_states.size(), 0);
+    context.struck_balls.clear();
     if (hit_all(context, substep, candidates.colliding, soft)) {
         if (context.relist) group(context);
         note_bodies(context, context.awake);

@@ -181,7 +181,7 @@ void stop_crowd(StepContext& context, Substep const& substep, int pair, double t
     for (int const ball : crowd) {
         go_back(context, substep, ball, std::max(time, context.departures[ball].time));
         wake(context, ball);
-        context.struck[ball] = 1;
+        mark_struck(context, ball);
     }
     std::vector<FirmTouch> contacts = contacts_among(context, crowd);
     double const left = substep.length - time;

@@ -128,11 +128,25 @@ void strike(StepContext& context, Blow const& blow) {
     b.state = impact.second;
 }
 
+// What does not bounce leans from now on; what closed faster than balls do that lean is a hit.
+void lean_or_tell(StepContext& context, Substep const& substep, Blow const& blow, double time) {
+    BallPair& e = context.ball_pairs[blow.pair];
+    if (!blow.bounces && blow.pressing > 0) {
+        context.regroup = context.regroup || !e.leaning;
+        e.leaning = true;
+        context.leaning[e.first] = context.leaning[e.second] = 1;
+    }
+    if (blow.closing > 2 * blow.pressing * substep.length)
+        context.history.events.push_back(
+            {substep.since + time, EventKind::hit, e.first, context.body_states[e.first].state, no_contact, e.second});
+}
+
 }  // namespace
 
 Vec2 on_the_way(StepContext const& context, Substep const& substep, int ball, double time) {
     if (!is_stepped(context.world, ball)) return state_at(context.history, ball, substep.since + time).position;
     Departure const& from = context.departures[ball];
+    if (time == from.time) return from.state.position;
     Vec2 const& to = context.body_states[ball].state.position;
     double const span = substep.length - from.time;
     return span > 0 ? Vec2(from.state.position + ((time - from.time) / span) * (to - from.state.position)) : to;
@@ -144,6 +158,11 @@ double closing_of(StepContext const& context, BallPair const& e) {
     Vec2 const d = b.position - a.position;
     double const distance = length(d);
     return distance > 0 ? -dot(b.velocity - a.velocity, d) / distance : 0;
+}
+
+void mark_struck(StepContext& context, int ball) {
+    if (!context.struck[ball]) context.struck_balls.push_back(ball);
+    context.struck[ball] = 1;
 }
 
 void go_back(StepContext& context, Substep const& substep, int ball, double time) {
@@ -161,38 +180,31 @@ void go_on(StepContext& context, Substep const& substep, int ball, double time) 
     double const now = substep.since + time;
     if (context.asleep[ball]) context.regroup = context.relist = true;
     context.asleep[ball] = 0;
-    context.struck[ball] = 1;
+    mark_struck(context, ball);
     context.body_states[ball].still = false;
     if (context.leaning[ball]) {
         if (!is_stepped(context.world, ball)) begin_chord(context, ball, now);
-        depart(context, ball, time);
+        depart(context, ball, time, substep.end());
         sweep(context, ball, now, substep.length - time);
     } else {
         strike(context.scene, context.world, context.history, ball, context.body_states[ball].state, now);
         follow(context, ball, now);
-        depart(context, ball, time);
+        depart(context, ball, time, substep.end());
         follow(context, ball, substep.end());
     }
 }
 
 void hit(StepContext& context, Substep const& substep, std::vector<int> const& pairs, double time) {
+    if (pairs.size() == 1) {
+        Blow const blow = blow_between(context, substep, pairs.front());
+        strike(context, blow);
+        lean_or_tell(context, substep, blow, time);
+        return;
+    }
     std::vector<Blow> blows;
     for (int const k : pairs) blows.push_back(blow_between(context, substep, k));
-    if (blows.size() == 1)
-        strike(context, blows.front());
-    else
-        solve_simultaneous_impacts(context, blows);
-    for (Blow const& blow : blows) {
-        BallPair& e = context.ball_pairs[blow.pair];
-        if (!blow.bounces && blow.pressing > 0) {
-            context.regroup = context.regroup || !e.leaning;
-            e.leaning = true;
-            context.leaning[e.first] = context.leaning[e.second] = 1;
-        }
-        if (blow.closing > 2 * blow.pressing * substep.length)
-            context.history.events.push_back({substep.since + time, EventKind::hit, e.first,
-                                              context.body_states[e.first].state, no_contact, e.second});
-    }
+    solve_simultaneous_impacts(context, blows);
+    for (Blow const& blow : blows) lean_or_tell(context, substep, blow, time);
 }
 
 }  // namespace physics

@@ -14,6 +14,9 @@ Vec2 on_the_way(StepContext const& context, Substep const& substep, int ball, do
 // How fast the two close on each other, m/s.
 double closing_of(StepContext const& context, BallPair const& e);
 
+// The way of the ball is not what it was: its pairs are to be looked at again.
+void mark_struck(StepContext& context, int ball);
+
 // Takes a ball back to `time` within the substep.
 void go_back(StepContext& context, Substep const& substep, int ball, double time);
 

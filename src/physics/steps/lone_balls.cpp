@@ -75,11 +75,12 @@ void end_chord(StepContext& context, int ball, double time) {
                   {context.body_states[ball].state, leg.phase, leg.contact});
 }
 
-void depart(StepContext& context, int ball, double time) {
+void depart(StepContext& context, int ball, double time, double until) {
     Departure& departure = context.departures[ball];
     departure.state = context.body_states[ball].state;
     departure.time = time;
-    if (is_stepped(context.world, ball)) return;
+    departure.keeps_plan = is_stepped(context.world, ball) || context.world.legs[ball].until > until;
+    if (departure.keeps_plan) return;
     departure.leg = context.world.legs[ball];
     departure.plan = context.world.plans[ball];
     departure.legs = context.history.legs[ball].size();
@@ -87,6 +88,7 @@ void depart(StepContext& context, int ball, double time) {
 
 void return_to_departure(StepContext& context, int ball) {
     Departure const& departure = context.departures[ball];
+    if (departure.keeps_plan) return;
     Trail<Leg>& legs = context.history.legs[ball];
     while (legs.size() > departure.legs) legs.pop_back();
     legs.back() = departure.leg;
@@ -136,7 +138,7 @@ void sweep(StepContext& context, int ball, double time, double span) {
     context.alone_history.legs[ball].clear();
     context.alone_history.events.clear();
     set_out(context.scene, context.alone_world, context.alone_history, ball, context.body_states[ball].state,
-            no_contact, time);
+            no_contact, time, 2 * span);
     follow_plan(context.scene, context.alone_world, context.alone_history, ball, time + span);
     be_where(context, context.alone_world, ball, time + span);
 }

@@ -22,8 +22,8 @@ void begin_chord(StepContext& context, int ball, double time);
 // The straight line ends, where its body state is now.
 void end_chord(StepContext& context, int ball, double time);
 
-// The present path of the ball begins `time` seconds into the substep; and goes back there.
-void depart(StepContext& context, int ball, double time);
+// The present path of the ball begins `time` seconds into the substep, which ends at `until`, s; and goes back there.
+void depart(StepContext& context, int ball, double time, double until);
 void return_to_departure(StepContext& context, int ball);
 
 // From `time` on a ball that was stepped is on its plan again. Soft contacts leave it a little inside of the terrain:

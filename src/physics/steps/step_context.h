@@ -31,7 +31,8 @@ struct Substep {
 struct Departure {
     State state;
     double time = 0;  // s into the substep
-    // Of a ball on its plan, so that it can be taken back to it:
+    // Of a ball whose plan changes before the substep ends, so that it can be taken back to it:
+    bool keeps_plan = false;  // it does not
     Leg leg;
     BallPlan plan;
     std::size_t legs = 0;  // in its history
@@ -58,21 +59,24 @@ struct StepContext {
     History& history;
     double pace = 0;            // s, from one substep to the next
     double step = 0;            // s, of its substeps together
+    double mass_ratio = 1;      // of the heaviest ball to the lightest
     std::vector<Field> fields;  // that of the balls that are not pulled, then of the one that is
     std::vector<BodyState> body_states;
     std::vector<BallPair> ball_pairs;      // in order of the balls
     std::vector<geometry::Box> fat_boxes;  // by ball: while it keeps within, it has no other neighbours
     std::vector<Departure> departures;
-    std::vector<char> leaning;    // by ball: it leans on another
-    std::vector<char> alone;      // by ball: nobody is near, so it is left on its plan
-    std::vector<char> struck;     // by ball: hit by another in the present pass over the pairs
-    std::vector<char> asleep;     // by ball: it has stood still so long that it is left standing
-    std::vector<int> awake;       // the others that are not alone, in order
-    std::vector<int> free;        // of these, those that do not lean on others
-    std::vector<int> live;        // neighbours of which one is awake
-    std::vector<int> pairs_of;    // the live neighbours of one ball after the other,
-    std::vector<int> pairs_from;  // by ball: where its own begin
-    std::vector<double> soonest;  // by ball, s: scratch of the search for the next hits, `never` between
+    std::vector<char> leaning;                  // by ball: it leans on another
+    std::vector<char> alone;                    // by ball: nobody is near, so it is left on its plan
+    std::vector<char> struck;                   // by ball: hit by another in the present pass over the pairs
+    std::vector<char> asleep;                   // by ball: it has stood still so long that it is left standing
+    std::vector<int> awake;                     // the others that are not alone, in order
+    std::vector<int> free;                      // of these, those that do not lean on others
+    std::vector<int> live;                      // neighbours of which one is awake
+    std::vector<int> pairs_of;                  // the live neighbours of one ball after the other,
+    std::vector<int> pairs_from;                // by ball: where its own begin
+    std::vector<double> soonest;                // by ball, s: scratch of the search for the next hits, `never` between
+    std::vector<int> struck_balls;              // these
+    std::vector<int> bunch_balls, bunch_pairs;  // scratch of one hit
     ContactIsland island;
     std::size_t told = 0;      // events before the present substep: none of these is taken back
     int pulled = -1;           // the ball on the drag spring

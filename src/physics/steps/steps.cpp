@@ -35,6 +35,9 @@ StepContext stage_of(Steps const& method, Scene const& scene, World& world, Hist
         body_state.ball = &scene.balls[i];
         body_state.field = &context.fields[i == context.pulled ? 1 : 0];
     }
+    auto const [lightest, heaviest] = std::minmax_element(scene.balls.begin(), scene.balls.end(),
+                                                          [](Ball const& a, Ball const& b) { return a.mass < b.mass; });
+    context.mass_ratio = heaviest->mass / lightest->mass;
     context.asleep.assign(scene.balls.size(), 0);
     context.leaning.assign(scene.balls.size(), 0);
     context.ball_pairs = std::move(world.ball_pairs);
@@ -66,7 +69,7 @@ void see_where_all_are(StepContext& context, double now) {
 void move_all(StepContext& context, Substep const& substep) {
     context.told = context.history.events.size();
     if (group(context)) release_parted(context, substep.since);
-    remember_departures(context);
+    remember_departures(context, substep.end());
     for (int const i : context.free) follow(context, i, substep.end());
     move_pile(context, substep);
     if (!context.live.empty() || context.looked_anew) collide(context, substep);
