@@ -78,7 +78,7 @@ Command check_command(CommandLine& program) {
     auto const options = std::make_shared<CheckOptions>();
     Subcommand command = program.add("check", "What is wrong or suspicious in a level, and what it needs");
     command.needs("files", options->files, "levels (.svg)", "LEVEL");
-    command.takes("--tolerance", options->method.tolerance, "say which method keeps this error at the least cost",
+    command.takes("--tolerance", options->method.tolerance, "say which method, at which rate, keeps this error",
                   "METRES");
     command.ends_help_with("Ends with 3 when a level has a fault. Example: smb2d check assets/levels/*.svg");
     return {command, [options] { return check(*options); }};

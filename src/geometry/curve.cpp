@@ -34,8 +34,7 @@ bool is_whole(Arc const& arc) { return std::abs(arc.sweep) >= 2 * pi - angle_rou
 
 // How far `angle` lies beyond the start in the sense of travel, in [0, 2 pi).
 double beyond_start(Arc const& arc, double angle) {
-    double const offset = arc.sweep < 0 ? arc.from - angle : angle - arc.from;
-    return offset - 2 * pi * std::floor(offset / (2 * pi));
+    return within_turn(arc.sweep < 0 ? arc.from - angle : angle - arc.from);
 }
 
 Nearest end_at(Vec2 const& point, Vec2 const& from) { return {point, length(from - point), false}; }

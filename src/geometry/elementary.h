@@ -1,6 +1,8 @@
 // Elementary functions made of + - * / and sqrt alone, so that every compiler and C library gives the same bits.
 #pragma once
 
+#include <cmath>
+
 namespace geometry {
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -8,6 +10,9 @@ inline constexpr double pi = 3.14159265358979323846;
 // x + rounder - rounder is the whole number nearest to |x| < 2^51, found without a call and without a branch; the
 // lowest bits of x + rounder count.
 inline constexpr double rounder = 0x1.8p52;
+
+// The angle plus whole turns, in [0, 2 pi].
+inline double within_turn(double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi)); }
 
 struct SineCosine {
     double sine = 0;

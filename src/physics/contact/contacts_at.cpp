@@ -142,11 +142,9 @@ bool counts_before(Terrain const& terrain, ContactPoint const& a, ContactPoint c
     return place(a) < place(b);
 }
 
-double within_a_turn(double angle) { return angle - 2 * geometry::pi * std::floor(angle / (2 * geometry::pi)); }
-
 bool has_normal(ContactPoint const& socket, double angle) {
     double const sign = socket.normals_turn < 0 ? -1 : 1;
-    double const past = within_a_turn(sign * (angle - socket.normals_from) + same_normal);
+    double const past = geometry::within_turn(sign * (angle - socket.normals_from) + same_normal);
     return past <= std::abs(socket.normals_turn) + 2 * same_normal;
 }
 
@@ -169,7 +167,7 @@ void add_pushing(std::vector<ContactPoint>& points, std::vector<ContactPoint> co
             return;
         }
         for (double const end : {socket.normals_from, socket.normals_from + socket.normals_turn}) {
-            double const past = within_a_turn(end - against);
+            double const past = geometry::within_turn(end - against);
             if (past < left) left = past, at_left = with_normal(socket, end);
             if (2 * geometry::pi - past < right) right = 2 * geometry::pi - past, at_right = with_normal(socket, end);
         }

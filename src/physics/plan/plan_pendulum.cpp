@@ -112,7 +112,7 @@ private:
     }
 
     static double turn_to(double angle, bool at_hand) {
-        double const turn = angle - 2 * pi * std::floor(angle / (2 * pi));
+        double const turn = geometry::within_turn(angle);
         return at_hand && 2 * pi - turn < angle_rounding ? 0 : turn;
     }
 

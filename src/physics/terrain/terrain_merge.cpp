@@ -111,8 +111,7 @@ double place_along(Curve const& curve, Vec2 const& point) {
         return geometry::dot(point - segment->start, way) / geometry::length(way);
     }
     Arc const& arc = std::get<Arc>(curve);
-    double const turn = std::copysign(1.0, arc.sweep) * (angle_of(point - arc.centre) - arc.from);
-    return turn - 2 * pi * std::floor(turn / (2 * pi));
+    return geometry::within_turn(std::copysign(1.0, arc.sweep) * (angle_of(point - arc.centre) - arc.from));
 }
 
 void append_parted(std::vector<Piece>& pieces, Piece const& piece, std::vector<Vec2> const& places) {
