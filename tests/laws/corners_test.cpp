@@ -5,12 +5,15 @@
 #include <doctest/doctest.h>
 
 #include "bounds.h"
-#include "scenes.h"
 
 using namespace laws;
 using geometry::length;
 
 namespace {
+
+physics::Scene towards_a_wall() {
+    return scene_of(chain({{-9, 0}, {0, 0}, {0, 9}}, material(full_grip)), {rolling({-1.5, 0.5}, 2)});
+}
 
 // A hill of radius 5 about (0, -5) as a polyline of `count` chords from 0.3 rad left of the top to 0.3 rad right of it.
 std::vector<physics::Piece> polyline_hill(int count) {
@@ -18,9 +21,9 @@ std::vector<physics::Piece> polyline_hill(int count) {
         double const angle = -0.3 + 0.6 * i / count;
         return Vec2(5 * std::sin(angle), 5 * std::cos(angle) - 5);
     };
-    std::vector<physics::Piece> pieces;
-    for (int i = 0; i < count; ++i) pieces.push_back(line(corner(i), corner(i + 1), material(full_grip)));
-    return pieces;
+    std::vector<Vec2> corners;
+    for (int i = 0; i <= count; ++i) corners.push_back(corner(i));
+    return chain(corners, material(full_grip));
 }
 
 // A disc on the middle of the first chord, rolling up it.
@@ -35,10 +38,8 @@ physics::Scene on_polyline_hill(int count, double speed) {
 }  // namespace
 
 TEST_CASE("T9: a disc rolling into a wall climbs it at v / 3") {
-    auto const grip = material(full_grip);
-    for (Bound const& bound : bounds_of(Law::corner)) {
-        Run run(bound.method, scene_of({line({-9, 0}, {0, 0}, grip), line({0, 0}, {0, 9}, grip)},
-                                       {disc_at({-1.5, 0.5}, {2, 0}, -4)}));
+    for (Bound const& bound : bounds_of(law::corner)) {
+        Run run(bound.method, towards_a_wall());
         run.to(0.55);
         double const since = run.world.time - 0.5;
         CHECK(run.state().velocity.y() == doctest::Approx(2.0 / 3 - g * since).epsilon(bound.tolerance));
@@ -46,42 +47,31 @@ TEST_CASE("T9: a disc rolling into a wall climbs it at v / 3") {
 }
 
 TEST_CASE("T9 pinned: article: at a wall the ball stops dead") {
-    auto const grip = material(full_grip);
-    Run run(physics::Article{},
-            scene_of({line({-9, 0}, {0, 0}, grip), line({0, 0}, {0, 9}, grip)}, {disc_at({-1.5, 0.5}, {2, 0}, -4)}));
-    run.to(1);
-    CHECK(length(run.state().velocity) <= 1e-9);
-    CHECK(run.state().position.x() == doctest::Approx(-0.5));
+    physics::State const state = state_after(physics::Article{}, towards_a_wall(), 1);
+    CHECK(length(state.velocity) <= 1e-9);
+    CHECK(state.position.x() == doctest::Approx(-0.5));
 }
 
 TEST_CASE("T9: a disc climbs a step from the speed of physics.md 5.4 on, and not below") {
-    auto const grip = material(full_grip);
     double const least = 1.31963;  // m/s, physics.md 5.4: r = 0.5, h = 0.1
-    for (Bound const& bound : bounds_of(Law::corner))
+    for (Bound const& bound : bounds_of(law::corner))
         for (double const share : {0.995, 1.005}) {
-            double const speed = share * least;
-            Run run(bound.method, scene_of({line({-9, 0}, {0, 0}, grip), line({0, 0}, {0, 0.1}, grip),
-                                            line({0, 0.1}, {9, 0.1}, grip)},
-                                           {disc_at({-1.5, 0.5}, {speed, 0}, -speed / 0.5)}));
-            run.to(6);
-            CHECK((run.state().position.x() > 0) == (share > 1));
+            physics::Scene const scene = scene_of(chain({{-9, 0}, {0, 0}, {0, 0.1}, {9, 0.1}}, material(full_grip)),
+                                                  {rolling({-1.5, 0.5}, share * least)});
+            CHECK((state_after(bound.method, scene, 6).position.x() > 0) == (share > 1));
         }
 }
 
 TEST_CASE("T3: at a convex vertex a disc pivots below v^2 = g r, 2.215 m/s, and is thrown above") {
-    auto const grip = material(full_grip);
     CHECK(std::sqrt(g * 0.5) == doctest::Approx(2.215).epsilon(1e-4));
-    for (Bound const& bound : bounds_of(Law::vertex))
+    for (Bound const& bound : bounds_of(law::vertex))
         for (double const share : {1 - bound.tolerance, 1 + bound.tolerance}) {
             double const speed = share * std::sqrt(g * 0.5);
-            Run run(bound.method, scene_of({line({-5, 0}, {0, 0}, grip), line({0, 0}, {0, -5}, grip)},
-                                           {disc_at({-1, 0.5}, {speed, 0}, -speed / 0.5)}));
+            Run run(bound.method,
+                    scene_of(chain({{-5, 0}, {0, 0}, {0, -5}}, material(full_grip)), {rolling({-1, 0.5}, speed)}));
             run.to(1.1 / speed);
-            double corner = 0, lift = 0;
-            for (physics::Event const& event : run.history.events) {
-                if (event.kind == physics::EventKind::corner) corner = event.time;
-                if (event.kind == physics::EventKind::lift) lift = event.time;
-            }
+            double const corner = run.time_of(physics::EventKind::corner);
+            double const lift = run.time_of(physics::EventKind::lift);
             CHECK(corner == doctest::Approx(1 / speed).epsilon(1e-9));
             // Just below it holds on until cos has fallen by twice the share: some 9 ms for a share of 1e-3, and less
             // as its root.
@@ -90,7 +80,7 @@ TEST_CASE("T3: at a convex vertex a disc pivots below v^2 = g r, 2.215 m/s, and 
 }
 
 TEST_CASE("T3: a polyline is no substitute for a hill: at 4 m/s it throws the disc at once, however fine it is") {
-    for (Bound const& bound : bounds_of(Law::hill)) {
+    for (Bound const& bound : bounds_of(law::hill)) {
         if (std::holds_alternative<physics::Article>(bound.method)) continue;  // it tells of no lift
         for (int const chords : {8, 32, 128}) {
             CAPTURE(std::string(physics::name_of(bound.method)));
@@ -102,10 +92,10 @@ TEST_CASE("T3: a polyline is no substitute for a hill: at 4 m/s it throws the di
                 fast.to(i / 240.0);
                 in_air += fast.leg().phase == physics::Phase::flight;
             }
-            CHECK(count_of(fast.history, physics::EventKind::lift) >= chords / 4);
+            CHECK(fast.count(physics::EventKind::lift) >= chords / 4);
             CHECK(in_air > 30);
             slow.to(0.5);
-            CHECK(count_of(slow.history, physics::EventKind::lift) == 0);
+            CHECK(slow.count(physics::EventKind::lift) == 0);
         }
     }
 }
@@ -116,18 +106,13 @@ TEST_CASE("T3: the hop over a vertex is as long as the parabola says") {
     double const v = 4, d = 0.05, r = 0.5;
     double const half = std::tan(d) * v * v / g;
     double const x = half + std::sqrt(half * half - 2 * v * v / g * r * (1 / std::cos(d) - 1));
-    auto const grip = material(full_grip);
-    for (Bound const& bound : bounds_of(Law::corner)) {
+    for (Bound const& bound : bounds_of(law::corner)) {
         CAPTURE(std::string(physics::name_of(bound.method)));
         Run run(bound.method,
-                scene_of({line({-5, 0}, {0, 0}, grip), line({0, 0}, {5 * std::cos(d), -5 * std::sin(d)}, grip)},
-                         {disc_at({-1, 0.5}, {v, 0}, -v / r)}));
+                scene_of(chain({{-5, 0}, {0, 0}, {5 * std::cos(d), -5 * std::sin(d)}}, material(full_grip)),
+                         {rolling({-1, 0.5}, v)}));
         run.to(1);
-        double lift = 0, land = 0;
-        for (physics::Event const& event : run.history.events) {
-            if (event.kind == physics::EventKind::lift) lift = event.time;
-            if (event.kind == physics::EventKind::land) land = event.time;
-        }
+        double const lift = run.time_of(physics::EventKind::lift), land = run.time_of(physics::EventKind::land);
         CHECK(lift == doctest::Approx(1 / v).epsilon(bound.tolerance));
         CHECK(land - lift == doctest::Approx(x / v).epsilon(100 * bound.tolerance));
     }

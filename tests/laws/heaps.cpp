@@ -28,10 +28,7 @@ std::vector<physics::Piece> room(Dice& dice, double rise) {
     std::vector<Vec2> points{{-half_width, height}, {-half_width, corner}};
     if (rise > 0) points.push_back({0, 0});
     points.insert(points.end(), {{half_width, corner}, {half_width, height}});
-    std::vector<physics::Piece> pieces;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        pieces.push_back(line(points[i], points[(i + 1) % points.size()], of));
-    return pieces;
+    return ring(points, of);
 }
 
 bool is_free(physics::Scene const& scene, Vec2 const& place, double radius, double rise) {
@@ -132,8 +129,7 @@ void look(Run const& run, Worst& worst) {
     for (std::size_t i = 0; i < run.scene.balls.size(); ++i) {
         double const r = run.scene.balls[i].radius;
         physics::State const state = run.state(static_cast<int>(i));
-        worst.finite = worst.finite && geometry::is_finite(state.position) && geometry::is_finite(state.velocity) &&
-                       std::isfinite(state.spin);
+        worst.finite = worst.finite && is_finite(state);
         worst.depth = std::max(worst.depth, depth_in(run.scene, state.position, r) / r);
         for (std::size_t j = 0; j < i; ++j) {
             double const other = run.scene.balls[j].radius;

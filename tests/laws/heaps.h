@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "scenes.h"
+#include "bounds.h"
 
 namespace laws {
 

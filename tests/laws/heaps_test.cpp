@@ -7,7 +7,6 @@
 #include "heaps.h"
 
 using namespace laws;
-using geometry::length;
 
 namespace {
 
@@ -15,13 +14,10 @@ namespace {
 constexpr std::uint64_t seeds = sanitized ? 4 : 48;
 
 // Light discs on the floor and one of `mass` above them.
-Heap column(int light, double mass, double drop, double radius) {
+Heap column(int light, double mass, double drop) {
     Heap heap;
     std::vector<physics::Ball> balls;
-    for (int i = 0; i <= light; ++i) {
-        balls.push_back(disc_at({0, radius * (1 + 2 * i) + (i == light ? drop : 0)}));
-        balls.back().radius = radius;
-    }
+    for (int i = 0; i <= light; ++i) balls.push_back(disc_at({0, 0.5 + i + (i == light ? drop : 0)}));
     balls.back().mass = mass;
     heap.scene = scene_of({line({50, 20}, {-50, 20}, material(0.9)), line({-50, 0}, {50, 0}, material(0.9))}, balls);
     return heap;
@@ -36,7 +32,7 @@ TEST_CASE("T14: at any ratio of masses a disc at rest on light ones, or dropped 
                 CAPTURE(light);
                 CAPTURE(drop);
                 CAPTURE(ratio);
-                Heap const heap = column(light, ratio, drop, 0.5);
+                Heap const heap = column(light, ratio, drop);
                 Worst const worst = worst_of(physics::Steps{}, heap, 4);
                 REQUIRE(worst.finite);
                 REQUIRE(worst.overlap <= 0.05);
@@ -46,14 +42,6 @@ TEST_CASE("T14: at any ratio of masses a disc at rest on light ones, or dropped 
                 REQUIRE(run.state(light).position.y() > 0.5 + light - 0.1 * 0.5);
                 REQUIRE(fastest(run) <= 1e-3);
             }
-}
-
-TEST_CASE("T14: what a heavy disc has pressed together does not jump when it is pulled off, at any ratio") {
-    for (double const ratio : {1e3, 1e4, 1e5, 1e6}) {
-        CAPTURE(ratio);
-        Run run(physics::Steps{}, column(1, ratio, 0, 0.5).scene);
-        CHECK(highest_when_unloaded(run) <= 0.5 + 0.02 * 0.5);
-    }
 }
 
 TEST_CASE("heaps of any masses in a closed room keep apart by all but a tenth of the smaller radius") {
@@ -98,10 +86,7 @@ TEST_CASE("a ball between a wall that lets go of it and the floor stays on the f
                 CAPTURE(reach);
                 CAPTURE(rate);
                 Heap box;
-                Vec2 const corners[] = {{4, 1}, {12, 1}, {12, 7}, {4, 7}};
-                std::vector<physics::Piece> walls;
-                for (int i = 0; i < 4; ++i) walls.push_back(line(corners[i], corners[(i + 1) % 4], material(0.9)));
-                box.scene = scene_of(walls, {disc_at({8, 1.5})});
+                box.scene = scene_of(ring({{4, 1}, {12, 1}, {12, 7}, {4, 7}}, material(0.9)), {disc_at({8, 1.5})});
                 box.scene.drag = {frequency, 0.7};
                 Vec2 const ways[] = {{0, 0}, {0.79, 0.61}, {-0.83, -0.55}, {0.02, -1}, {0.56, -0.83}};
                 double const times[] = {0.1, 0.2, 0.5, 0.8, 1.1};
@@ -109,21 +94,4 @@ TEST_CASE("a ball between a wall that lets go of it and the floor stays on the f
                 box.tugs.push_back({1.4, -1, {}});
                 REQUIRE(worst_of(physics::Steps{rate, 4}, box, 2).depth * 0.5 <= 1e-3);
             }
-}
-
-TEST_CASE("T19: a ball that hits two mirrored ones at once sends them off mirrored, and keeps to the axis") {
-    // Along the normals (sqrt 3 / 2, +-1 / 2), with e = 1 and equal masses, 4 m/s leave -1/5 of it, and 3/5 and
-    // +-sqrt 3 / 5 to each.
-    physics::Scene scene = scene_of({}, {disc_at({-5, 0}, {4, 0}), disc_at({0, 0.5}), disc_at({0, -0.5})});
-    scene.gravity = 0;
-    for (physics::Ball& ball : scene.balls) {
-        ball.restitution = 1;
-        ball.friction = 0;
-    }
-    Run run(physics::Steps{}, scene);
-    run.to(3);
-    CHECK(length(run.state(0).velocity - Vec2(-0.8, 0)) <= 1e-12);
-    CHECK(length(run.state(1).velocity - Vec2(2.4, 0.8 * std::sqrt(3.0))) <= 1e-12);
-    CHECK(length(run.state(2).velocity - Vec2(2.4, -0.8 * std::sqrt(3.0))) <= 1e-12);
-    CHECK(std::abs(run.state(1).position.y() + run.state(2).position.y()) <= 1e-12);
 }

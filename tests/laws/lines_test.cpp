@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "bounds.h"
-#include "scenes.h"
 
 using namespace laws;
 using geometry::dot;
@@ -17,7 +16,7 @@ double way_down(Slope const& slope, physics::State const& state) {
 }  // namespace
 
 TEST_CASE("a ball in flight follows a parabola and keeps its spin") {
-    for (Bound const& bound : bounds_of(Law::flight)) {
+    for (Bound const& bound : bounds_of(law::flight)) {
         physics::State const state = state_after(bound.method, scene_of({}, {disc_at({1, 2}, {3, 4}, 5)}), 2);
         CHECK(state.position.x() == doctest::Approx(1 + 3 * 2).epsilon(bound.tolerance));
         CHECK(state.position.y() == doctest::Approx(2 + 4 * 2 - 0.5 * g * 4).epsilon(bound.tolerance));
@@ -26,9 +25,9 @@ TEST_CASE("a ball in flight follows a parabola and keeps its spin") {
 }
 
 TEST_CASE("T1: a ball on a slope rolls at g sin / (1 + k)") {
-    for (Bound const& bound : bounds_of(Law::roll_on_slope))
+    for (Bound const& bound : bounds_of(law::roll_on_slope))
         for (double const k : {0.5, 0.4, 1.0, 1e-6}) {
-            physics::Ball ball = disc_at(Vec2::Zero());
+            physics::Ball ball = disc_at({0, 0});
             ball.inertia = k;
             Slope const slope = slope_with(pi / 6, ball, material(0.9));
             physics::State const state = state_after(bound.method, slope.scene, 2);
@@ -50,7 +49,7 @@ TEST_CASE("T1 pinned: article: a disc on a slope gains as a frictionless one, 9.
 
 TEST_CASE("beyond tan = mu (1 + k) / k a disc slides at g (sin - mu cos)") {
     double const angle = 1.1, mu = 0.3;
-    for (Bound const& bound : bounds_of(Law::slide_on_slope)) {
+    for (Bound const& bound : bounds_of(law::slide_on_slope)) {
         Slope const slope = slope_with(angle, disc_at(Vec2::Zero()), material(mu));
         physics::State const state = state_after(bound.method, slope.scene, 1.5);
         double const a = g * (std::sin(angle) - mu * std::cos(angle));
@@ -60,7 +59,7 @@ TEST_CASE("beyond tan = mu (1 + k) / k a disc slides at g (sin - mu cos)") {
 }
 
 TEST_CASE("a ball that starts sliding on a floor ends rolling at v0 / (1 + k)") {
-    for (Bound const& bound : bounds_of(Law::slip_to_roll))
+    for (Bound const& bound : bounds_of(law::slip_to_roll))
         for (double const k : {0.5, 0.4, 1.0}) {
             double const mu = 0.2, v0 = 5;
             physics::Ball ball = disc_at({0, 0.5}, {v0, 0});
@@ -73,12 +72,12 @@ TEST_CASE("a ball that starts sliding on a floor ends rolling at v0 / (1 + k)") 
             CHECK(run.state().position.x() ==
                   doctest::Approx(slid + v0 / (1 + k) * (run.world.time - time)).epsilon(bound.tolerance));
             CHECK(run.leg().phase == physics::Phase::roll);
-            CHECK(count_of(run.history, physics::EventKind::grip) == 1);
+            CHECK(run.count(physics::EventKind::grip) == 1);
         }
 }
 
 TEST_CASE("back-spin sends a disc back: v = (v0 - k r w) / (1 + k)") {
-    for (Bound const& bound : bounds_of(Law::spin_down)) {
+    for (Bound const& bound : bounds_of(law::spin_down)) {
         physics::State const state =
             state_after(bound.method, floor_with(disc_at({0, 0.5}, {1, 0}, 20), material(0.4)), 3);
         CHECK(state.velocity.x() == doctest::Approx((1 - 0.5 * 10) / 1.5).epsilon(bound.tolerance));
@@ -87,22 +86,21 @@ TEST_CASE("back-spin sends a disc back: v = (v0 - k r w) / (1 + k)") {
 }
 
 TEST_CASE("rolling resistance stops a disc after v^2 (1 + k) / (2 c g), and it stays") {
-    for (Bound const& bound : bounds_of(Law::rolling_resistance)) {
+    for (Bound const& bound : bounds_of(law::rolling_resistance)) {
         double const c = 0.05;
         Run run(bound.method, floor_with(disc_at({0, 0.5}, {2, 0}, -4), material(0.9, 0, c)));
         run.to(10);
         CHECK(run.state().position.x() == doctest::Approx(4 * 1.5 / (2 * c * g)).epsilon(bound.tolerance));
         CHECK(run.state().velocity == Vec2(0, 0));
         CHECK(run.leg().phase == physics::Phase::rest);
-        CHECK(count_of(run.history, physics::EventKind::rest) == 1);
+        CHECK(run.count(physics::EventKind::rest) == 1);
     }
 }
 
 TEST_CASE("full grip without pressure is no friction") {
-    for (Bound const& bound : bounds_of(Law::flight)) {
-        physics::Scene scene = floor_with(disc_at({0, 0.5}, {1, 0}, 7), material(full_grip));
-        scene.gravity = 0;
-        physics::State const state = state_after(bound.method, scene, 1);
+    for (Bound const& bound : bounds_of(law::flight)) {
+        physics::State const state =
+            state_after(bound.method, floor_with(disc_at({0, 0.5}, {1, 0}, 7), material(full_grip), 0), 1);
         CHECK(state.velocity.x() == doctest::Approx(1).epsilon(bound.tolerance));
         CHECK(state.spin == doctest::Approx(7).epsilon(bound.tolerance));
     }
@@ -112,9 +110,7 @@ TEST_CASE("full grip finds no hold on a wall that is upright but for the roundin
     for (double const lean : {0.0, 2e-15, -2e-15, 1e-14}) {
         CAPTURE(lean);
         // It is thrown up along the wall, which it touches.
-        physics::Scene const scene =
-            scene_of({line({16, 0}, {16 + lean, 9}, material(full_grip))}, {disc_at({15.5, 8}, {0, 3})});
-        Run run(physics::Exact{}, scene);
+        Run run = exact_run({line({16, 0}, {16 + lean, 9}, material(full_grip))}, {disc_at({15.5, 8}, {0, 3})});
         run.to(1);
         CHECK(run.leg().phase == physics::Phase::flight);
         CHECK(run.state().spin == 0);
@@ -132,11 +128,8 @@ TEST_CASE(
                 CAPTURE(turn);
                 CAPTURE(radius);
                 CAPTURE(place);
-                physics::Ball ball = disc_at({radius * turn * place / 10, radius + 0.3});
-                ball.radius = radius;
-                Run run(physics::Exact{},
-                        scene_of({line({-99, 0}, {0, 0}, material(0)), line({0, 0}, {99, -99 * turn}, material(0))},
-                                 {ball}));
+                Run run = exact_run(chain({{-99, 0}, {0, 0}, {99, -99 * turn}}, material(0)),
+                                    {disc(radius, {radius * turn * place / 10, radius + 0.3})});
                 run.to(1);
                 for (int i = 0; i <= 100; ++i)
                     REQUIRE(physics::state_at(run.history, 0, i / 100.0).position.y() > radius - 2e-9 - 2 * turn);
@@ -144,10 +137,10 @@ TEST_CASE(
 }
 
 TEST_CASE("T8: a thousand flat joints are no bump") {
-    std::vector<physics::Piece> pieces;
-    for (int i = -5; i < 1000; ++i) pieces.push_back(line({0.05 * i, 0}, {0.05 * (i + 1), 0}, material(0.9)));
-    for (Bound const& bound : bounds_of(Law::flat_joints)) {
-        Run run(bound.method, scene_of(pieces, {disc_at({0, 0.5}, {10, 0}, -20)}));
+    std::vector<Vec2> joints;
+    for (int i = -5; i <= 1000; ++i) joints.push_back({0.05 * i, 0});
+    for (Bound const& bound : bounds_of(law::flat_joints)) {
+        Run run(bound.method, scene_of(chain(joints, material(0.9)), {rolling({0, 0.5}, 10)}));
         run.to(4);
         CHECK(std::abs(run.state().position.y() - 0.5) <= bound.tolerance);
         CHECK(run.state().velocity.x() == doctest::Approx(10).epsilon(bound.tolerance));
@@ -156,10 +149,8 @@ TEST_CASE("T8: a thousand flat joints are no bump") {
 }
 
 TEST_CASE("the path of the centre over r is the angle rolled, on lines and on both sides of arcs") {
-    auto const grip = material(full_grip);
-    for (Bound const& bound : bounds_of(Law::path_of_centre)) {
-        physics::Scene inside = scene_of({arc({0, 2}, 2, -pi, pi, grip)}, {disc_at({0, 0.5}, {1.5, 0}, -3)});
-        Run run(bound.method, inside);
+    for (Bound const& bound : bounds_of(law::path_of_centre)) {
+        Run run(bound.method, scene_of({arc({0, 2}, 2, -pi, pi, material(full_grip))}, {rolling({0, 0.5}, 1.5)}));
         double path = 0;
         Vec2 last = run.state().position;
         for (int i = 1; i <= 120; ++i) {

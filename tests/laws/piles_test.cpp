@@ -1,11 +1,11 @@
 // T13 and T14: columns, and heavy on light. The exact method hands piles over to steps, so both are bound.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <doctest/doctest.h>
 
 #include "bounds.h"
-#include "scenes.h"
 
 using namespace laws;
 using geometry::length;
@@ -41,46 +41,37 @@ void remove_last(Run& run) {
     run.world.fat_boxes.clear();
 }
 
+// At rest, and pressed together as soft contacts say; by no more than so much of 2r.
+void check_column(std::vector<double> const& masses, double most) {
+    double const above = std::accumulate(masses.begin() + 1, masses.end(), 0.0);
+    for (Bound const& bound : bounds_of(law::piles)) {
+        CAPTURE(std::string(physics::name_of(bound.method)));
+        CAPTURE(masses.size());
+        CAPTURE(masses.back());
+        Run run(bound.method, column(masses));
+        run.to(4);
+        CHECK(deepest_overlap(run) <= most);
+        CHECK(deepest_overlap(run) ==
+              doctest::Approx(overlap_under(above, masses[0], masses[1])).epsilon(bound.tolerance));
+        CHECK(fastest(run) <= 1e-3);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("T13: columns of 10, 20 and 50 discs stand, a little pressed together") {
-    struct Column {
-        std::size_t count;
-        double overlap;  // share of 2r
-    };
-    for (Bound const& bound : bounds_of(Law::piles))
-        for (Column const c : {Column{10, 0.006}, Column{20, 0.012}, Column{50, 0.03}}) {
-            CAPTURE(std::string(physics::name_of(bound.method)));
-            CAPTURE(c.count);
-            Run run(bound.method, column(std::vector<double>(c.count, 1.0)));
-            run.to(4);
-            CHECK(deepest_overlap(run) <= c.overlap);
-            double const between_lowest = overlap_under(static_cast<double>(c.count - 1), 1, 1);
-            CHECK(deepest_overlap(run) == doctest::Approx(between_lowest).epsilon(bound.tolerance));
-            CHECK(fastest(run) <= 1e-3);
-        }
+    check_column(std::vector<double>(10, 1), 0.006);
+    check_column(std::vector<double>(20, 1), 0.012);
+    check_column(std::vector<double>(50, 1), 0.03);
 }
 
 TEST_CASE("T14: a heavy disc on a light one does not press through") {
-    struct Load {
-        double mass;
-        double overlap;  // share of 2r
-    };
-    for (Bound const& bound : bounds_of(Law::piles))
-        for (Load const c : {Load{100, 0.03}, Load{400, 0.12}}) {
-            CAPTURE(std::string(physics::name_of(bound.method)));
-            CAPTURE(c.mass);
-            Run run(bound.method, column({1, c.mass}));
-            run.to(4);
-            CHECK(deepest_overlap(run) <= c.overlap);
-            double const between = overlap_under(c.mass, 1, c.mass);
-            CHECK(deepest_overlap(run) == doctest::Approx(between).epsilon(bound.tolerance));
-            CHECK(fastest(run) <= 1e-3);
-        }
+    check_column({1, 100}, 0.03);
+    check_column({1, 400}, 0.12);
 }
 
 TEST_CASE("T14: columns of light discs carry a heavy one, each contact by its own law") {
-    for (Bound const& bound : bounds_of(Law::piles))
+    for (Bound const& bound : bounds_of(law::piles))
         for (int const light : {3, 5, 10})
             for (double const heavy : {100.0, 400.0}) {
                 CAPTURE(std::string(physics::name_of(bound.method)));
@@ -99,7 +90,7 @@ TEST_CASE("T14: columns of light discs carry a heavy one, each contact by its ow
 }
 
 TEST_CASE("T14: light discs whose load is taken away do not jump") {
-    for (Bound const& bound : bounds_of(Law::piles))
+    for (Bound const& bound : bounds_of(law::piles))
         for (std::vector<double> const& masses : {std::vector<double>{1, 100}, {1, 400}, {1, 1, 100}}) {
             CAPTURE(std::string(physics::name_of(bound.method)));
             CAPTURE(masses.size());
@@ -117,11 +108,19 @@ TEST_CASE("T14: light discs whose load is taken away do not jump") {
         }
 }
 
-TEST_CASE("T14: a light disc from which a load is pulled does not jump") {
-    for (Bound const& bound : bounds_of(Law::piles)) {
-        Run run(bound.method, column({1, 100}));
-        CHECK(highest_when_unloaded(run) <= 0.5 + 0.02 * 0.5);
-    }
+TEST_CASE("T14: a light disc from which a load is pulled does not jump, at any ratio of masses") {
+    for (Bound const& bound : bounds_of(law::piles))
+        for (double const ratio : {1e2, 1e3, 1e4, 1e5, 1e6}) {
+            CAPTURE(std::string(physics::name_of(bound.method)));
+            CAPTURE(ratio);
+            Run run(bound.method, column({1, ratio}));
+            run.to(2);
+            run.pull(1, {0, 6});
+            for (int i = 0; i < 60; ++i) {
+                run.to(2 + i / 60.0);
+                REQUIRE(run.state(0).position.y() <= 0.5 + 0.02 * 0.5);
+            }
+        }
 }
 
 TEST_CASE("T13 and T14 pinned: article's balls do not meet: all of a column lie on the floor") {
@@ -131,18 +130,13 @@ TEST_CASE("T13 and T14 pinned: article's balls do not meet: all of a column lie 
 }
 
 TEST_CASE("a heap of thirty comes to rest inside its box, and wakes when the box is tilted") {
-    auto const of = material(0.6);
     std::vector<physics::Ball> balls;
     for (int i = 0; i < 30; ++i) balls.push_back(disc_at({1 + 1.1 * (i % 5) + 0.03 * (i / 5), 1 + 1.1 * (i / 5)}));
-    physics::Scene const box =
-        scene_of({line({0, 0}, {7, 0}, of), line({0, 0}, {0, 20}, of), line({7, 0}, {7, 20}, of)}, balls);
-    Run run(physics::Steps{}, box);
+    Run run(physics::Steps{}, scene_of(chain({{0, 20}, {0, 0}, {7, 0}, {7, 20}}, material(0.6)), balls));
     run.to(15);
     CHECK(fastest(run) <= 1e-3);
     CHECK(deepest_overlap(run) <= 0.01);
-    physics::Forces tilted;
-    tilted.tilt = 0.8;  // steeper than a heap of round things stands
-    physics::apply(run.method, run.scene, run.world, tilted, run.history);
+    run.tilt(0.8);  // steeper than a heap of round things stands
     double most = 0;
     for (int i = 1; i <= 60; ++i) {
         run.to(15 + i / 60.0);

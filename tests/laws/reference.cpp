@@ -54,7 +54,8 @@ struct Mover {
                (2 * static_cast<Real>(scene.drag.damping) * omega) * velocity;
     }
 
-    // Out of the piece, and an impulse with restitution and friction if the ball closes on it (r = radius, k = I / m r^2).
+    // Out of the piece, and an impulse with restitution and friction if the ball closes on it (r = radius, k = I / m
+    // r^2).
     void meet(physics::Piece const& piece, Real slow) {
         physics::Ball const& ball = scene.balls.front();
         Real const radius = ball.radius, k = ball.inertia;
@@ -92,10 +93,9 @@ physics::State reference_after(physics::Scene const& scene, physics::Forces cons
     Mover mover{scene, forces, real(start.position), real(start.velocity), start.angle, start.spin};
     long long const steps = std::llround(time / step);
     for (long long i = 0; i < steps; ++i) mover.step(static_cast<Real>(time) / static_cast<Real>(steps));
-    auto const plain = [](Vector v) {
-        return geometry::Vec2(static_cast<double>(v.x), static_cast<double>(v.y));
-    };
-    return {plain(mover.place), plain(mover.velocity), static_cast<double>(mover.angle), static_cast<double>(mover.spin)};
+    auto const plain = [](Vector v) { return geometry::Vec2(static_cast<double>(v.x), static_cast<double>(v.y)); };
+    return {plain(mover.place), plain(mover.velocity), static_cast<double>(mover.angle),
+            static_cast<double>(mover.spin)};
 }
 
 }  // namespace laws

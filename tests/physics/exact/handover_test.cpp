@@ -2,41 +2,39 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/exact/exact_run.h"
+#include <doctest/doctest.h>
+
+#include "scenes/scenes.h"
 #include "physics/steps/stepping.h"
 
 using namespace physics;
+using namespace scenes;
 
 TEST_CASE("a ball that fell asleep in one hand-over is awake in the next, and falls where the floor ends") {
-    Material const ground{0.9, 0, 0.02};
-    std::vector<Ball> balls{context::disc(0.5, {14, 40.5}), context::disc(0.5, {2, 40.3}),
-                            context::disc(0.5, {3.2, 40.5})};
+    std::vector<Ball> balls{disc_at({14, 40.5}), disc_at({2, 40.3}), disc_at({3.2, 40.5})};
     for (Ball& ball : balls) ball.restitution = 0;
-    context::StepContext run(
-        {context::line({0.5, 60}, {0.5, 39.6}, ground), context::line({0.5, 39.6}, {4.5, 40}, ground),
-         context::line({4.5, 40}, {20, 40}, ground)},
-        balls);
+    Run run = exact_run(chain({{0.5, 60}, {0.5, 39.6}, {4.5, 40}, {20, 40}}, material(0.9, 0, 0.02)), balls);
     run.scene.drag = {2, 1};
     run.to(3);
     // The third ball, pulled along the floor, knocks the first, which lay asleep, on its way to the edge; then it is
     // thrown against the second, and the world is handed over again.
     for (auto const& [time, target] :
          {std::pair{3.6, Vec2(9, 42)}, {3.85, Vec2(14.5, 40.6)}, {4.2, Vec2(6, 41)}, {4.9, Vec2(1.9, 40.3)}}) {
-        run.pull(Pull{2, target});
+        run.pull(2, target);
         run.to(time);
     }
-    run.pull(std::nullopt);
+    run.release();
     REQUIRE(run.count(EventKind::handover) >= 2);
     double const edge = 20.5;  // m, where its centre is when it cannot touch the floor any more
     bool has_left = false;
     for (double time = 5; time < 9; time += 0.25) {
         run.to(time);
-        double const before = run.now(0).velocity.y(), start = run.now(0).position.x();
+        double const before = run.state(0).velocity.y(), start = run.state(0).position.x();
         double const from = run.world.time;
         run.to(from + 0.1);
         if (start < edge) continue;
         has_left = true;
-        CHECK(std::abs(run.now(0).velocity.y() - before + 9.81 * (run.world.time - from)) <= 1e-9);
+        CHECK(std::abs(run.state(0).velocity.y() - before + 9.81 * (run.world.time - from)) <= 1e-9);
     }
     CHECK(has_left);
 }

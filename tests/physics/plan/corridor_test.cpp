@@ -2,9 +2,10 @@
 #include <cmath>
 #include <random>
 
-#include "physics/exact/exact_run.h"
+#include "scenes/scenes.h"
 
-using namespace context;
+using namespace physics;
+using namespace scenes;
 
 namespace {
 
@@ -39,7 +40,7 @@ void forget_corridors(World& world) {
 
 // With what it knows of the ground forgotten at each event the ball takes the same way, to the growth of rounding.
 void check_forgetful(std::vector<Piece> const& pieces, Ball const& ball, double end, double tolerance) {
-    StepContext knowing(pieces, {ball}), looking(pieces, {ball});
+    Run knowing = exact_run(pieces, {ball}), looking = knowing;
     // Stopped at each event, it never uses what it then knew.
     auto const next_event = [&] { return std::min(end, looking.world.legs[0].until); };
     for (double time = next_event(); time < end; time = next_event()) {
@@ -57,7 +58,7 @@ void check_forgetful(std::vector<Piece> const& pieces, Ball const& ball, double 
         // What is rounding at first has grown at corners by then.
         REQUIRE(a.time == doctest::Approx(b.time).epsilon(tolerance));
     }
-    REQUIRE(geometry::length(knowing.now().position - looking.now().position) < 1e-8);
+    REQUIRE(geometry::length(knowing.state().position - looking.state().position) < 1e-8);
 }
 
 }  // namespace
@@ -92,14 +93,14 @@ TEST_CASE("so it does in a channel that it all but fills, whose far wall its hop
 
 TEST_CASE("a ball that rolls up over joints turns and comes back over the same ones") {
     // 20 pieces of a quarter of a metre on a slope of 3:4; v^2/2 (1 + k) = g h, so 3 m/s climb 1.5 * 9 / (2 * 9.81) m.
-    std::vector<Piece> pieces;
     Vec2 const along(0.8, 0.6), normal(-0.6, 0.8);
-    for (int i = 0; i < 20; ++i) pieces.push_back(line(0.25 * i * along, 0.25 * (i + 1) * along));
+    std::vector<Vec2> joints;
+    for (int i = 0; i <= 20; ++i) joints.push_back(0.25 * i * along);
     double const start = 0.125, way = 1.5 * 9 / (2 * 9.81 * 0.6);  // m, along the slope
-    StepContext context(pieces, {disc(0.5, start * along + 0.5 * normal, 3 * along, -6)});
-    context.to(2 * 2 * way / 3);  // up and down again, each at a mean of 1.5 m/s
+    Run run = exact_run(chain(joints), {disc(0.5, start * along + 0.5 * normal, 3 * along, -6)});
+    run.to(2 * 2 * way / 3);  // up and down again, each at a mean of 1.5 m/s
     int const passed = static_cast<int>(std::floor((start + way) / 0.25));
-    CHECK(context.count(EventKind::joint) == 2 * passed);
-    CHECK(geometry::length(context.now().position - (start * along + 0.5 * normal)) < 1e-12);
-    CHECK(geometry::length(context.now().velocity + 3 * along) < 1e-12);
+    CHECK(run.count(EventKind::joint) == 2 * passed);
+    CHECK(geometry::length(run.state().position - (start * along + 0.5 * normal)) < 1e-12);
+    CHECK(geometry::length(run.state().velocity + 3 * along) < 1e-12);
 }

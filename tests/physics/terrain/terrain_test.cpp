@@ -4,17 +4,15 @@
 
 #include <doctest/doctest.h>
 
-#include "geometry/elementary.h"
-#include "physics/world/world.h"
+#include "scenes/scenes.h"
 
 using namespace physics;
+using namespace scenes;
 using geometry::Arc;
-using geometry::pi;
-using geometry::Segment;
 
 TEST_CASE("ends within a micrometre are one vertex, further apart two") {
-    CHECK(terrain_of({{Segment{{0, 0}, {1, 0}}, {}, 0}, {Segment{{1 + 9e-7, 0}, {2, 0}}, {}, 0}}).vertices.size() == 3);
-    CHECK(terrain_of({{Segment{{0, 0}, {1, 0}}, {}, 0}, {Segment{{1 + 2e-6, 0}, {2, 0}}, {}, 0}}).vertices.size() == 4);
+    CHECK(terrain_of({line({0, 0}, {1, 0}), line({1 + 9e-7, 0}, {2, 0})}).vertices.size() == 3);
+    CHECK(terrain_of({line({0, 0}, {1, 0}), line({1 + 2e-6, 0}, {2, 0})}).vertices.size() == 4);
 }
 
 TEST_CASE("ends are one vertex or two by their distance alone, wherever they are and however many") {
@@ -27,15 +25,15 @@ TEST_CASE("ends are one vertex or two by their distance alone, wherever they are
             double const far = i % 3 == 0 ? 1e4 : 1;  // m
             Vec2 const end = far * Vec2(3 * (i % 30), 3 * (i / 30)) + Vec2(metres(random), metres(random));
             auto const [sine, cosine] = geometry::sine_cosine(angle(random));
-            pieces.push_back({Segment{end - Vec2(0.5, 0), end}, {}, 0});
-            pieces.push_back({Segment{end + distance * Vec2(cosine, sine), end + Vec2(0.5, 0.25)}, {}, 0});
+            pieces.push_back(line(end - Vec2(0.5, 0), end));
+            pieces.push_back(line(end + distance * Vec2(cosine, sine), end + Vec2(0.5, 0.25)));
         }
         CHECK(terrain_of(pieces).vertices.size() == (distance < vertex_reach ? 3 : 4) * pairs);
     }
 }
 
 TEST_CASE("a whole circle has no vertex") {
-    Terrain const terrain = terrain_of({{Arc{{0, 0}, 1, 0, 2 * pi}, {}, 0}});
+    Terrain const terrain = terrain_of({arc({0, 0}, 1, 0, 2 * pi)});
     CHECK(terrain.vertices.empty());
     CHECK(terrain.start_vertex[0] == -1);
 }
@@ -81,8 +79,8 @@ static Vertex const& vertex_at(Terrain const& terrain, Vec2 const& point) {
 }
 
 TEST_CASE("a flat joint exposes no direction, a corner those between its normals") {
-    Terrain const flat = terrain_of({{Segment{{-1, 0}, {0, 0}}, {}, 0}, {Segment{{0, 0}, {1, 0}}, {}, 0}});
-    Terrain const corner = terrain_of({{Segment{{-1, 0}, {0, 0}}, {}, 0}, {Segment{{0, 0}, {0, -1}}, {}, 0}});
+    Terrain const flat = terrain_of(chain({{-1, 0}, {0, 0}, {1, 0}}));
+    Terrain const corner = terrain_of(chain({{-1, 0}, {0, 0}, {0, -1}}));
     Vec2 const up(0, 1), out(std::sqrt(0.5), std::sqrt(0.5)), back(-0.6, 0.8);
     CHECK_FALSE(exposes(vertex_at(flat, {0, 0}), up));
     CHECK(exposes(vertex_at(corner, {0, 0}), out));
@@ -90,7 +88,7 @@ TEST_CASE("a flat joint exposes no direction, a corner those between its normals
 }
 
 TEST_CASE("a track keeps the centre at the radius from its surface, on both sides") {
-    Terrain const terrain = terrain_of({{Arc{{1, 2}, 3, 0.3, 2}, {}, 0}, {Segment{{0, 0}, {3, 4}}, {}, 0}});
+    Terrain const terrain = terrain_of({arc({1, 2}, 3, 0.3, 2), line({0, 0}, {3, 4})});
     for (int const side : {1, -1}) {
         Track const round = track_of(terrain, {0, side}, 0.5), straight = track_of(terrain, {1, side}, 0.5);
         for (double const q : {0.0, 0.7, 2.0}) {
@@ -103,7 +101,7 @@ TEST_CASE("a track keeps the centre at the radius from its surface, on both side
 }
 
 TEST_CASE("an arc as tight as the ball has no track inside") {
-    Terrain const terrain = terrain_of({{Arc{{0, 0}, 0.5, 0, 2}, {}, 0}});
+    Terrain const terrain = terrain_of({arc({0, 0}, 0.5, 0, 2)});
     CHECK_FALSE(fits(terrain, {0, 1}, 0.5));
     CHECK(fits(terrain, {0, -1}, 0.5));
     CHECK(fits(terrain, {0, 1}, 0.4));
@@ -111,10 +109,8 @@ TEST_CASE("an arc as tight as the ball has no track inside") {
 
 TEST_CASE("tilt turns gravity counter-clockwise") {
     Scene scene;
-    Forces forces;
-    forces.tilt = 0.3;
-    CHECK(gravity_of(scene, forces).x() == doctest::Approx(9.81 * std::sin(0.3)));
-    CHECK(gravity_of(scene, forces).y() == doctest::Approx(-9.81 * std::cos(0.3)));
+    CHECK(gravity_of(scene, {0.3, {}}).x() == doctest::Approx(9.81 * std::sin(0.3)));
+    CHECK(gravity_of(scene, {0.3, {}}).y() == doctest::Approx(-9.81 * std::cos(0.3)));
 }
 
 TEST_CASE("a history answers with the later of two legs that meet, and forgets what ended before") {

@@ -8,85 +8,58 @@
 
 #include <doctest/doctest.h>
 
-#include "physics/method.h"
+#include "scenes/scenes.h"
 
 using namespace physics;
-using geometry::pi;
+using namespace scenes;
 
 namespace {
 
-constexpr double g = 9.81;  // m/s^2
 std::vector<Method> const all_methods{Exact{}, Steps{}, Article{}};
 
-Piece floor_at(double y, double restitution = 0) {
-    return {geometry::Segment{{-100, y}, {100, y}}, {0.9, restitution, 0}, 0};
-}
+Piece floor_at(double y, double restitution = 0) { return line({-100, y}, {100, y}, material(0.9, restitution)); }
 
-Ball ball_at(Vec2 const& place, Vec2 const& velocity = Vec2::Zero(), double spin = 0) {
-    Ball ball;
-    ball.start = {place, velocity, 0, spin};
-    return ball;
+Sensor sensing(Region const& region) {
+    Sensor sensor;
+    sensor.region = region;
+    return sensor;
 }
-
 Sensor rectangle(Vec2 const& low, Vec2 const& high) {
-    Sensor sensor;
-    sensor.region = PolygonRegion{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
-    return sensor;
+    return sensing(PolygonRegion{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}});
 }
+Sensor fence_line(Vec2 const& from, Vec2 const& to) { return sensing(LineRegion{from, to}); }
+Sensor disc_region(Vec2 const& centre, double radius) { return sensing(DiscRegion{centre, radius}); }
 
-Sensor fence_line(Vec2 const& from, Vec2 const& to) {
-    Sensor sensor;
-    sensor.region = LineRegion{from, to};
-    return sensor;
-}
-
-Sensor disc(Vec2 const& centre, double radius) {
-    Sensor sensor;
-    sensor.region = DiscRegion{centre, radius};
-    return sensor;
-}
-
-Scene scene_of(std::vector<Piece> pieces, std::vector<Ball> balls, std::vector<Sensor> sensors, double gravity = g) {
-    Scene scene;
-    scene.terrain = terrain_of(std::move(pieces));
-    scene.balls = std::move(balls);
+Scene with_sensors(Scene scene, std::vector<Sensor> sensors) {
     scene.sensors = std::move(sensors);
-    scene.gravity = gravity;
     return scene;
 }
 
-struct SenseRun {
-    World world;
-    History history;
-};
-
 // In windows of `every` seconds, with a pull from 0.5 s to 1.7 s where there is a target.
-SenseRun run_of(Method const& method, Scene const& scene, double until, double every,
-                std::optional<Vec2> const& target = std::nullopt) {
-    SenseRun run;
-    run.world = world_at_start(method, scene, run.history);
+Run run_of(Method const& method, Scene const& scene, double until, double every,
+           std::optional<Vec2> const& target = std::nullopt) {
+    Run run(method, scene);
     auto const go_on = [&](double to) {
-        while (run.world.time < to)
-            REQUIRE_FALSE(advance(method, scene, run.world, std::min(to, run.world.time + every), run.history));
+        while (run.world.time < to) run.to(std::min(to, run.world.time + every));
     };
     if (target) {
         go_on(0.5);
-        REQUIRE_FALSE(apply(method, scene, run.world, {0, Pull{0, *target}}, run.history));
+        run.pull(0, *target);
         go_on(1.7);
-        REQUIRE_FALSE(apply(method, scene, run.world, {}, run.history));
+        run.release();
     }
     go_on(until);
     return run;
 }
 
-std::optional<double> time_of(SenseRun const& run, int sensor = 0) {
+std::optional<double> time_of(Run const& run, int sensor = 0) {
     for (Event const& event : run.history.events)
         if (event.kind == EventKind::sensor && event.other == sensor) return event.time;
     return std::nullopt;
 }
 
 // All events of the one at the times of the other, in the same order.
-void require_same_events(SenseRun const& once, SenseRun const& often) {
+void require_same_events(Run const& once, Run const& often) {
     REQUIRE(often.history.events.size() == once.history.events.size());
     for (std::size_t i = 0; i < once.history.events.size(); ++i) {
         Event const &a = once.history.events[i], &b = often.history.events[i];
@@ -125,7 +98,7 @@ std::vector<Sensor> random_sensors(std::mt19937& random, int count) {
     for (int i = 0; i < count; ++i) {
         Vec2 const place(x(random), y(random));
         Vec2 const extent(size(random), size(random));
-        if (i % 3 == 0) sensors.push_back(disc(place, extent.x()));
+        if (i % 3 == 0) sensors.push_back(disc_region(place, extent.x()));
         if (i % 3 == 1) sensors.push_back(fence_line(place, {x(random), y(random)}));
         if (i % 3 == 2) sensors.push_back(rectangle(place, place + extent));
     }
@@ -136,8 +109,8 @@ std::vector<Sensor> random_sensors(std::mt19937& random, int count) {
 
 // A ball in a bowl of radius 2 that is pulled out of it: pendulum, spring, flight, impacts.
 Scene bowl_with(std::vector<Sensor> sensors, double friction) {
-    geometry::Arc const bowl{{0, 0}, 2, pi, pi};
-    return scene_of({{bowl, {friction, 0.5, 0}, 0}}, {ball_at({-1.4, 0.3})}, std::move(sensors));
+    return with_sensors(scene_of({arc({0, 0}, 2, pi, pi, material(friction, 0.5))}, {disc_at({-1.4, 0.3})}),
+                        std::move(sensors));
 }
 
 }  // namespace
@@ -145,10 +118,11 @@ Scene bowl_with(std::vector<Sensor> sensors, double friction) {
 TEST_CASE("a ball that rolls below a goal's edge does not enter it, however near the edge is") {
     for (Method const& method : all_methods)
         for (double const below : {1e-2, 1e-4, 1e-9}) {
-            Scene const scene = scene_of({floor_at(0)}, {ball_at({0, 0.5}, {5, 0}, -10)},
-                                         {rectangle({3, 0.5 + below}, {45, 2}), rectangle({3, 0.5 - below}, {45, 2})});
+            Scene const scene =
+                with_sensors(scene_of({floor_at(0)}, {rolling({0, 0.5}, 5)}),
+                             {rectangle({3, 0.5 + below}, {45, 2}), rectangle({3, 0.5 - below}, {45, 2})});
             INFO(std::string(name_of(method)));
-            SenseRun const run = run_of(method, scene, 10, 10);
+            Run const run = run_of(method, scene, 10, 10);
             CHECK_FALSE(time_of(run, 0));
             // Entered from the side at 5 m/s; the article's rolling adds rounding alone.
             REQUIRE(time_of(run, 1));
@@ -158,7 +132,7 @@ TEST_CASE("a ball that rolls below a goal's edge does not enter it, however near
 
 TEST_CASE("a line just under a ball let go is crossed within the first step") {
     for (Method const& method : all_methods) {
-        Scene const scene = scene_of({}, {ball_at({4, 6})}, {fence_line({2, 6 - 5e-5}, {6, 6 - 5e-5})});
+        Scene const scene = with_sensors(scene_of({}, {disc_at({4, 6})}), {fence_line({2, 6 - 5e-5}, {6, 6 - 5e-5})});
         auto const time = time_of(run_of(method, scene, 1, 1));
         INFO(std::string(name_of(method)));
         REQUIRE(time);
@@ -171,8 +145,8 @@ TEST_CASE("a line just under a ball let go is crossed within the first step") {
 TEST_CASE("a line behind a bounce within a step is crossed on the way down") {
     double const impact = 100.5 / 240, above = 1e-3;  // s, in the middle of a step; m
     double const drop = g * impact * impact / 2;
-    Scene const scene =
-        scene_of({floor_at(0, 1)}, {ball_at({0, 0.5 + drop})}, {fence_line({-1, 0.5 + above}, {1, 0.5 + above})});
+    Scene const scene = with_sensors(scene_of({floor_at(0, 1)}, {disc_at({0, 0.5 + drop})}),
+                                     {fence_line({-1, 0.5 + above}, {1, 0.5 + above})});
     double const crossing = std::sqrt(2 * (drop - above) / g);
     auto const exact = time_of(run_of(Exact{}, scene, 0.5, 1)), steps = time_of(run_of(Steps{}, scene, 0.5, 1));
     REQUIRE(exact);
@@ -185,10 +159,11 @@ TEST_CASE("a line behind a bounce within a step is crossed on the way down") {
 TEST_CASE("at the start a ball in a region or on a line is noticed at 0, and outside of a fence too") {
     Sensor fence = rectangle({5, 5}, {6, 6});
     fence.outside = true;
-    Scene const scene = scene_of({}, {ball_at({1, 1})},
-                                 {disc({1.5, 1}, 1), rectangle({0, 0}, {1, 1}), fence_line({0, 1}, {2, 1}), fence}, 0);
+    Scene const scene =
+        with_sensors(scene_of({}, {disc_at({1, 1})}, 0),
+                     {disc_region({1.5, 1}, 1), rectangle({0, 0}, {1, 1}), fence_line({0, 1}, {2, 1}), fence});
     for (Method const& method : all_methods) {
-        SenseRun const run = run_of(method, scene, 1, 1);
+        Run const run = run_of(method, scene, 1, 1);
         for (int sensor = 0; sensor < 4; ++sensor) CHECK(time_of(run, sensor) == 0.0);
     }
 }
@@ -196,10 +171,9 @@ TEST_CASE("at the start a ball in a region or on a line is noticed at 0, and out
 TEST_CASE("a ball that runs round within a hair of a round region does not enter it") {
     // A pendulum's whole way of radius 1.5 about the region's centre.
     for (double const hair : {1e-4, 1e-9}) {
-        Scene const scene = bowl_with({disc({0, 0}, 1.5 - hair), disc({0, -1.5 - 0.3 - hair}, 0.3)}, 0);
-        Scene start = scene;
-        start.balls[0].start.position = {-1.5 * std::sin(0.4), -1.5 * std::cos(0.4)};
-        SenseRun const run = run_of(Exact{}, start, 10, 10);
+        Scene scene = bowl_with({disc_region({0, 0}, 1.5 - hair), disc_region({0, -1.5 - 0.3 - hair}, 0.3)}, 0);
+        scene.balls[0].start.position = {-1.5 * std::sin(0.4), -1.5 * std::cos(0.4)};
+        Run const run = run_of(Exact{}, scene, 10, 10);
         CHECK_FALSE(time_of(run, 0));
         CHECK_FALSE(time_of(run, 1));
     }
@@ -211,7 +185,7 @@ TEST_CASE("what a sensor notices is the first moment that its region holds the b
     for (int round = 0; round < 8; ++round) {
         Scene const scene = bowl_with(random_sensors(random, 24), round % 2 == 0 ? 0.9 : 0);
         for (Method const& method : {Method(Exact{}), Method(Steps{})}) {
-            SenseRun const run = run_of(method, scene, until, until, Vec2(0.8 + 0.2 * round, 1));
+            Run const run = run_of(method, scene, until, until, Vec2(0.8 + 0.2 * round, 1));
             for (std::size_t i = 0; i < scene.sensors.size(); ++i) {
                 Sensor const& sensor = scene.sensors[i];
                 double const noticed = time_of(run, static_cast<int>(i)).value_or(never);
@@ -236,10 +210,9 @@ TEST_CASE("among hundreds of bounces in one window the same is noticed as when o
     std::mt19937 random(5);
     int noticed = 0;
     for (int round = 0; round < 20; ++round) {
-        Ball ball = ball_at({-2.5, -0.5}, {1.5, 0});
-        ball.radius = 0.1;
-        Scene const scene = scene_of({floor_at(-1, 0.97)}, {ball}, random_sensors(random, 24), 1e4);
-        SenseRun const once = run_of(Exact{}, scene, 4, 4), often = run_of(Exact{}, scene, 4, 1e-3);
+        Scene const scene = with_sensors(scene_of({floor_at(-1, 0.97)}, {disc(0.1, {-2.5, -0.5}, {1.5, 0})}, 1e4),
+                                         random_sensors(random, 24));
+        Run const once = run_of(Exact{}, scene, 4, 4), often = run_of(Exact{}, scene, 4, 1e-3);
         REQUIRE(once.history.events.size() > 100);
         require_same_events(once, often);
         noticed += static_cast<int>(std::count_if(once.history.events.begin(), once.history.events.end(),
@@ -254,7 +227,7 @@ TEST_CASE("the same is noticed at the same times in the same order however often
         Scene const scene = bowl_with(random_sensors(random, 24), 0.9);
         for (Method const& method : all_methods) {
             Vec2 const target(0.8 + 0.2 * round, 1);
-            SenseRun const once = run_of(method, scene, 3, 3, target);
+            Run const once = run_of(method, scene, 3, 3, target);
             for (double const every : {1.0 / 60, 0.25, 1e-3})
                 require_same_events(once, run_of(method, scene, 3, every, target));
         }
