@@ -7,9 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "game/medals.h"
-#include "game/method_choice.h"
-#include "game/run_file.h"
 #include "robots.h"
+#include "scenes/levels.h"
 
 namespace {
 
@@ -23,11 +22,9 @@ std::vector<files::path> shipped_levels() {
     return levels;
 }
 
-std::shared_ptr<level::Level const> read(files::path const& file) {
-    return std::make_shared<level::Level const>(level::read_level(file.string()));
-}
+std::shared_ptr<level::Level const> read(files::path const& file) { return scenes::read_level(file.string()); }
 
-game::Session session_of(std::shared_ptr<level::Level const> const& level) {
+game::Session game_of(std::shared_ptr<level::Level const> const& level) {
     return game::session_of(level, game::method_for({}, level->scene));
 }
 
@@ -44,7 +41,7 @@ TEST_CASE("no robot wins a level but the first two") {
         for (game_test::Robot const& robot : game_test::robots()) {
             CAPTURE(levels[i].filename().string());
             CAPTURE(robot.name);
-            game::Session session = session_of(level);
+            game::Session session = game_of(level);
             robot.play(session, std::min(robots_patience, level->time_limit.value_or(robots_patience)));
             CHECK(session.goal_time.value_or(-1) == -1);
         }
@@ -69,7 +66,7 @@ TEST_CASE("no robot that changes its mind once wins a level but the first two an
                 CAPTURE(levels[i].filename().string());
                 CAPTURE(robot.name);
                 CAPTURE(change);
-                game::Session session = session_of(level);
+                game::Session session = game_of(level);
                 robot.first(session, change);
                 robot.then(session, changing_robots_patience);
                 CHECK(session.goal_time.value_or(-1) == -1);
@@ -106,7 +103,7 @@ TEST_CASE("the hole of Snowballs holds a snowball, and the player's ball is lost
     auto const dropped = [&](std::size_t ball) {
         level::Level changed = level;
         changed.scene.balls[ball].start.position = {slot, 3};
-        auto session = session_of(std::make_shared<level::Level const>(changed));
+        auto session = game_of(std::make_shared<level::Level const>(changed));
         game::advance(session, 10);
         return session;
     };
@@ -120,15 +117,13 @@ TEST_CASE("every shipped level has a run of its name that wins gold and ends as 
     for (files::path const& file : shipped_levels()) {
         CAPTURE(file.filename().string());
         game::Run const run = game::read_run(ASSETS "/runs/" + file.stem().string() + ".json");
-        auto const level = read(run.level_file);
+        game::Session session = scenes::session_of_run(run);
         CHECK(files::equivalent(run.level_file, file));
-        CHECK(run.level_hash == level->hash);
+        CHECK(run.level_hash == session.level->hash);
         REQUIRE(run.final);
-        game::Session session =
-            game::session_of(level, game::method_for({run.method_name, run.rate}, level->scene), run.inputs);
         game::advance(session, run.final->time);
         CHECK(run.final->state_hash == game::state_hash(session, run.final->time));
         REQUIRE(session.goal_time);
-        CHECK(game::medal_for(*level, game::status_at(session, *session.goal_time)) == game::Medal::gold);
+        CHECK(game::medal_for(*session.level, game::status_at(session, *session.goal_time)) == game::Medal::gold);
     }
 }

@@ -1,14 +1,10 @@
 #include "game/medals.h"
 
-#include <cstdlib>
-#include <fstream>
-
 #include <doctest/doctest.h>
 
-#include "game/data_files.h"
 #include "game/best_times.h"
 #include "game/lessons.h"
-#include "scratch.h"
+#include "support/folder.h"
 
 using game::Medal;
 
@@ -52,8 +48,7 @@ TEST_CASE("what is not asked for is not missed, and nothing asked for is no meda
 }
 
 TEST_CASE("the better medal is kept, and what was learnt; a list that is none is set aside") {
-    game_test::Scratch const scratch;
-    setenv("XDG_DATA_HOME", scratch.path("data").c_str(), 1);
+    support::DataFolder const folder;
     level::Level const level = level_that_asks(10, 2, 3);
     CHECK(game::best_medals().empty());
     game::note_medal(level, Medal::silver);
@@ -65,11 +60,9 @@ TEST_CASE("the better medal is kept, and what was learnt; a list that is none is
     CHECK(game::learnt_lessons().empty());
     game::note_learnt(game::Lesson::tilt);
     CHECK(game::learnt_lessons() == std::set{game::Lesson::tilt});
-    auto const file = *game::data_folder() / "learnt.json";
-    std::ofstream(file) << "{\"pull\"";
+    std::string const file = folder.file("learnt.json", "{\"pull\"");
     CHECK(game::learnt_lessons().empty());
     game::note_learnt(game::Lesson::pull);
     CHECK(game::learnt_lessons() == std::set{game::Lesson::pull});
-    CHECK(std::filesystem::exists(file.string() + ".spoilt"));
-    unsetenv("XDG_DATA_HOME");
+    CHECK(std::filesystem::exists(file + ".spoilt"));
 }

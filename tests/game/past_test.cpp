@@ -1,13 +1,12 @@
 #include <doctest/doctest.h>
 
 #include "game/past.h"
-#include "level/level.h"
+#include "scenes/levels.h"
 
 namespace {
 
 game::Session played(physics::Method const& method, double until, game::PastLimits const& limits) {
-    auto const level = std::make_shared<level::Level const>(level::read_level(ASSETS "/lab/valley.svg"));
-    game::Session session = game::session_of(level, method);
+    game::Session session = game::session_of(scenes::read_level(ASSETS "/lab/valley.svg"), method);
     for (int second = 1; second <= until; ++second) {
         game::advance(session, second);
         game::keep_past(session, second, limits);

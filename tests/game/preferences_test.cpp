@@ -1,40 +1,12 @@
 #include "game/preferences.h"
 
-#include <cstdlib>
-
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 #include "game/whole_file.h"
-#include "scratch.h"
+#include "support/folder.h"
 
-namespace {
-
-// The user's data folder, in a scratch folder while the test lasts.
-struct DataFolder {
-    game_test::Scratch scratch;
-    std::optional<std::string> before;
-
-    DataFolder() {
-        if (char const* const set = std::getenv("XDG_DATA_HOME")) before = set;
-        setenv("XDG_DATA_HOME", scratch.path("data").c_str(), 1);
-    }
-    ~DataFolder() {
-        if (before)
-            setenv("XDG_DATA_HOME", before->c_str(), 1);
-        else
-            unsetenv("XDG_DATA_HOME");
-    }
-    void write(std::string const& text) const {
-        std::filesystem::create_directories(scratch.path("data/smb2d"));
-        scratch.file("data/smb2d/preferences.json", text);
-    }
-    nlohmann::json content() const {
-        return nlohmann::json::parse(game::read_whole_file(scratch.path("data/smb2d/preferences.json"), 1 << 20));
-    }
-};
-
-}  // namespace
+using support::DataFolder;
 
 TEST_CASE("preferences are kept") {
     DataFolder const folder;
@@ -44,7 +16,7 @@ TEST_CASE("preferences are kept") {
     game::ReadPreferences const read = game::read_preferences();
     CHECK(read.preferences == other);
     CHECK(read.faults.empty());
-    CHECK(read.file == folder.scratch.path("data/smb2d/preferences.json"));
+    CHECK(read.file == folder.path("preferences.json"));
     CHECK(!game::keep({}));
     CHECK(game::read_preferences().preferences == game::Preferences{});
 }
@@ -52,7 +24,7 @@ TEST_CASE("preferences are kept") {
 TEST_CASE("a file of preferences that is spoilt is told and set aside") {
     DataFolder const folder;
     for (char const* text : {"{\"volu", "[1]"}) {
-        folder.write(text);
+        folder.file("preferences.json", text);
         game::ReadPreferences const read = game::read_preferences();
         CHECK(read.preferences == game::Preferences{});
         CHECK(read.faults.size() == 1);
@@ -67,8 +39,8 @@ TEST_CASE("a file of preferences that is spoilt is told and set aside") {
 
 TEST_CASE("what of the preferences cannot be understood is told, a line each, and the rest holds") {
     DataFolder const folder;
-    folder.write(
-        R"({"volume": 7, "muted": true, "turning": 1, "language": "dutch", "keys": {"pause": [1], "save": "F7"},
+    folder.file("preferences.json",
+                R"({"volume": 7, "muted": true, "turning": 1, "language": "dutch", "keys": {"pause": [1], "save": "F7"},
                     "high_contrast": "yes"})");
     game::ReadPreferences const read = game::read_preferences();
     game::Preferences expected;
@@ -84,11 +56,12 @@ TEST_CASE("what of the preferences cannot be understood is told, a line each, an
 
 TEST_CASE("what a later program keeps beside the preferences stays") {
     DataFolder const folder;
-    folder.write(R"({"of a later program": {"a": 1}, "keys": {"jump": ["J"]}})");
+    folder.file("preferences.json", R"({"of a later program": {"a": 1}, "keys": {"jump": ["J"]}})");
     game::Preferences preferences = game::read_preferences().preferences;
     preferences.volume = 0.4;
     CHECK(!game::keep(preferences));
-    CHECK(folder.content()["of a later program"]["a"] == 1);
-    CHECK(folder.content()["keys"]["jump"][0] == "J");
-    CHECK(folder.content()["volume"] == 0.4);
+    auto const content = nlohmann::json::parse(game::read_whole_file(folder.path("preferences.json"), 1 << 20));
+    CHECK(content["of a later program"]["a"] == 1);
+    CHECK(content["keys"]["jump"][0] == "J");
+    CHECK(content["volume"] == 0.4);
 }

@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "game/whole_file.h"
-#include "scratch.h"
+#include "support/folder.h"
 
-using game_test::message_of;
-using game_test::Scratch;
+using support::Folder;
+using support::message_of;
 
 namespace {
 
@@ -16,8 +16,8 @@ std::string with(std::string const& rest) { return R"({"smb2d": 1, "level": "hil
 std::string with_inputs(std::string const& inputs) { return with(R"(, "inputs": [)" + inputs + "]"); }
 
 std::string error_of(std::string const& text) {
-    Scratch const scratch;
-    std::string const file = scratch.file("run.json", text);
+    Folder const folder;
+    std::string const file = folder.file("run.json", text);
     std::string const message = message_of([&] { game::read_run(file); });
     CHECK(message.find('\n') == std::string::npos);
     if (message.rfind(file + ": ", 0) != 0) return message;
@@ -27,13 +27,13 @@ std::string error_of(std::string const& text) {
 }  // namespace
 
 TEST_CASE("a run file is read with all that it says") {
-    Scratch const scratch;
-    std::string const file = scratch.file("run.json", R"({"smb2d": 1, "level": "../hill.svg", "level_hash": "9a",
+    Folder const folder;
+    std::string const file = folder.file("run.json", R"({"smb2d": 1, "level": "../hill.svg", "level_hash": "9a",
         "method": "steps", "rate": 120, "duration": 12.5, "inputs": [
         {"t": 0.50, "grab": {"ball": 1, "x": 3.0, "y": 4.0}}, {"t": 0.75, "move": {"x": 3.5, "y": 4.5}},
         {"t": 1.20, "release": true}, {"t": 1.20, "tilt": -0.1}], "final": {"time": 12.5, "state_hash": "51"}})");
     game::Run const run = game::read_run(file);
-    CHECK(run.level_file == scratch.path("../hill.svg"));
+    CHECK(run.level_file == folder.path("../hill.svg"));
     CHECK(run.level_hash == "9a");
     CHECK(run.method_name == "steps");
     CHECK(run.rate == 120.0);
@@ -49,21 +49,21 @@ TEST_CASE("a run file is read with all that it says") {
 }
 
 TEST_CASE("the level alone makes a run, and auto is no method's name") {
-    Scratch const scratch;
-    game::Run const run = game::read_run(scratch.file("run.json", with(R"(, "method": "auto")")));
+    Folder const folder;
+    game::Run const run = game::read_run(folder.file("run.json", with(R"(, "method": "auto")")));
     CHECK_FALSE(run.method_name);
     CHECK_FALSE(run.duration);
     CHECK(run.inputs.empty());
 }
 
 TEST_CASE("a run by hand may claim the time of its end alone") {
-    Scratch const scratch;
-    game::Run run = game::read_run(scratch.file("run.json", with(R"(, "final": {"time": 1.5})")));
+    Folder const folder;
+    game::Run run = game::read_run(folder.file("run.json", with(R"(, "final": {"time": 1.5})")));
     REQUIRE(run.final);
     CHECK(run.final->time == 1.5);
     CHECK_FALSE(run.final->state_hash);
-    game::write_run(run, scratch.path("again.json"));
-    CHECK_FALSE(game::read_run(scratch.path("again.json")).final->state_hash);
+    game::write_run(run, folder.path("again.json"));
+    CHECK_FALSE(game::read_run(folder.path("again.json")).final->state_hash);
     CHECK(error_of(with(R"(, "final": {})")) == R"(final: the key "time" is missing)");
 }
 
@@ -115,9 +115,9 @@ TEST_CASE("what is not JSON is said to be so") {
 }
 
 TEST_CASE("a run that is written is read back bit for bit") {
-    Scratch const scratch;
+    Folder const folder;
     game::Run run;
-    run.level_file = scratch.path("levels/hill.svg");
+    run.level_file = folder.path("levels/hill.svg");
     run.level_hash = "0123456789abcdef";
     run.method_name = "article";
     run.rate = 240;
@@ -127,7 +127,7 @@ TEST_CASE("a run that is written is read back bit for bit") {
                   {0.30000000000000004, game::Release{}},
                   {0.3000000000000001, game::Tilt{0.1}}};
     run.final = game::Run::Final{1.0 / 3, "fedcba9876543210"};
-    std::string const file = scratch.path("saved/deep/run.json");
+    std::string const file = folder.path("saved/deep/run.json");
     game::write_run(run, file);
     game::Run const read = game::read_run(file);
     CHECK(game::read_whole_file(file, 10000).find(R"("level":"../../levels/hill.svg")") != std::string::npos);
@@ -145,10 +145,10 @@ TEST_CASE("a run that is written is read back bit for bit") {
 }
 
 TEST_CASE("a run is told from a level by its name, else by its first letter") {
-    Scratch const scratch;
+    Folder const folder;
     CHECK(game::is_run_file("nowhere.json"));
     CHECK_FALSE(game::is_run_file("nowhere.svg"));
-    CHECK(game::is_run_file(scratch.file("a", " {\"smb2d\": 1}")));
-    CHECK_FALSE(game::is_run_file(scratch.file("b", "<svg/>")));
-    CHECK_FALSE(game::is_run_file(scratch.path("c")));
+    CHECK(game::is_run_file(folder.file("a", " {\"smb2d\": 1}")));
+    CHECK_FALSE(game::is_run_file(folder.file("b", "<svg/>")));
+    CHECK_FALSE(game::is_run_file(folder.path("c")));
 }

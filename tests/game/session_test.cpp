@@ -4,44 +4,20 @@
 
 #include <doctest/doctest.h>
 
-#include "game/method_choice.h"
-#include "geometry/vector.h"
-#include "scratch.h"
+#include "scenes/levels.h"
+#include "support/folder.h"
 
 using game::Session;
-using game_test::message_of;
-using geometry::Vec2;
+using support::message_of;
+using namespace scenes;
 
 namespace {
 
 // Nothing but a ball in empty space, without gravity: it flies straight on.
-level::Level empty_level(Vec2 const& velocity) {
-    level::Level level;
-    level.file = "empty.svg";
-    level.hash = "00000000000000ab";
-    level.size = Vec2(16, 9);
-    level.scene.gravity = 0;
-    physics::Ball ball;
-    ball.start.velocity = velocity;
-    level.scene.balls = {ball};
-    return level;
-}
+level::Level empty_level(Vec2 const& velocity) { return level_with({disc_at({0, 0}, velocity)}, 0); }
 
-void add_sensor(level::Level& level, physics::Sensor const& sensor, level::Meaning meaning) {
-    level.scene.sensors.push_back(sensor);
-    level.meanings.push_back(meaning);
-}
-
-void add_line(level::Level& level, double x, level::Meaning meaning) {
-    physics::Sensor sensor;
-    sensor.region = physics::LineRegion{Vec2(x, -5), Vec2(x, 5)};
-    sensor.ball = 0;
-    add_sensor(level, sensor, meaning);
-}
-
-Session session_of(level::Level const& level, std::vector<game::Input> inputs = {}, double rate = 240) {
-    return game::session_of(std::make_shared<level::Level const>(level), physics::Steps{rate, 4}, std::move(inputs),
-                            "run.json");
+Session stepped(level::Level const& level, std::vector<game::Input> inputs = {}, double rate = 240) {
+    return session_of(level, physics::Steps{rate, 4}, std::move(inputs));
 }
 
 std::vector<game::Input> drag() {
@@ -52,7 +28,7 @@ std::vector<game::Input> drag() {
 }
 
 physics::Pull pull_after(level::Level const& level, std::vector<game::Input> const& inputs) {
-    Session session = session_of(level, inputs);
+    Session session = stepped(level, inputs);
     game::advance(session, inputs.back().time);
     return session.world.forces.pull.value();
 }
@@ -60,7 +36,7 @@ physics::Pull pull_after(level::Level const& level, std::vector<game::Input> con
 }  // namespace
 
 TEST_CASE("an input acts at its time on a ball that no other is near, whatever the rate of steps") {
-    Session session = session_of(empty_level(Vec2::Zero()), {{0.25, game::Tilt{0.2}}}, 10);
+    Session session = stepped(empty_level(Vec2::Zero()), {{0.25, game::Tilt{0.2}}}, 10);
     game::advance(session, 1);
     REQUIRE(session.history.events.size() == 1);
     CHECK(session.history.events[0].time == 0.25);
@@ -68,8 +44,7 @@ TEST_CASE("an input acts at its time on a ball that no other is near, whatever t
 
 TEST_CASE("under a method of steps alone an input acts at the first that starts at or after it") {
     Session session =
-        game::session_of(std::make_shared<level::Level const>(empty_level(Vec2::Zero())), physics::Euler{10},
-                         {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}}, "run.json");
+        session_of(empty_level(Vec2::Zero()), physics::Euler{10}, {{0.2, game::Tilt{0.1}}, {0.25, game::Tilt{0.2}}});
     game::advance(session, 1);
     REQUIRE(session.history.events.size() == 2);
     CHECK(session.history.events[0].kind == physics::EventKind::tilt);
@@ -83,7 +58,7 @@ TEST_CASE("under a method of steps alone an input acts at the first that starts 
 
 TEST_CASE("how often one looks does not change what happens") {
     level::Level const level = empty_level(Vec2(1, 0));
-    Session once = session_of(level, drag()), often = session_of(level, drag());
+    Session once = stepped(level, drag()), often = stepped(level, drag());
     game::advance(once, 1.3);
     for (int i = 0; i <= 1300; ++i) {
         game::advance(often, i / 1000.0);
@@ -112,7 +87,7 @@ TEST_CASE("while the pointer is beyond the reach the hook goes along with the ba
     level::Level level = empty_level(Vec2::Zero());
     level.drag_reach = 2;
     level.scene.drag = {1, 0};
-    Session session = game::session_of(std::make_shared<level::Level const>(level), physics::Exact{});
+    Session session = session_of(level);
     Vec2 const pointer(1e6, 0);
     game::act(session, game::Grab{0, pointer});
     game::advance_held(session, 0, 1, [&](double) { return pointer; });
@@ -134,18 +109,17 @@ TEST_CASE("while the pointer is beyond the reach the hook goes along with the ba
 TEST_CASE("where the hook goes does not hang on how often the window asks, and comes out the same from the run") {
     level::Level level = empty_level(Vec2(-3, 1));
     level.scene.gravity = 9.81;
-    auto const shared = std::make_shared<level::Level const>(level);
     auto const pointer = [](double time) { return Vec2(20 - time, 15); };
     for (physics::Method const& method : {physics::Method{physics::Exact{}}, physics::Method{physics::Steps{100, 4}}}) {
         CAPTURE(physics::name_of(method));
-        Session once = game::session_of(shared, method), often = game::session_of(shared, method);
+        Session once = session_of(level, method), often = session_of(level, method);
         game::act(once, game::Grab{0, pointer(0)});
         game::act(often, game::Grab{0, pointer(0)});
         game::advance_held(once, 0, 1.5, pointer);
         for (int i = 1; i <= 216; ++i) game::advance_held(often, (i - 1) / 144.0, i / 144.0, pointer);
         CHECK(once.inputs.size() == often.inputs.size());
         CHECK(game::state_hash(once, 1.5) == game::state_hash(often, 1.5));
-        Session replayed = game::session_of(shared, method, once.inputs);
+        Session replayed = session_of(level, method, once.inputs);
         game::advance(replayed, 1.5);
         CHECK(game::state_hash(replayed, 1.5) == game::state_hash(once, 1.5));
     }
@@ -155,7 +129,7 @@ TEST_CASE("once the pointer is within the reach the hook is at the pointer and s
     level::Level level = empty_level(Vec2::Zero());
     level.drag_reach = 1;
     level.scene.drag = {1, 1};
-    Session session = game::session_of(std::make_shared<level::Level const>(level), physics::Exact{});
+    Session session = session_of(level);
     Vec2 const pointer(1.25, 0);
     auto const resting = [&](double) { return pointer; };
     game::act(session, game::Grab{0, pointer});
@@ -173,7 +147,7 @@ TEST_CASE("tilt beyond the limit is the limit") {
     level::Level level = empty_level(Vec2::Zero());
     level.tilt_limit = 0.3;
     for (auto const& [asked, got] : {std::pair{0.2, 0.2}, {1.0, 0.3}, {-7.0, -0.3}}) {
-        Session session = session_of(level, {{0, game::Tilt{asked}}});
+        Session session = stepped(level, {{0, game::Tilt{asked}}});
         game::advance(session, 0);
         CHECK(session.world.forces.tilt == got);
     }
@@ -181,13 +155,13 @@ TEST_CASE("tilt beyond the limit is the limit") {
 
 TEST_CASE("a grab of a ball that does not exist is refused with the input's number") {
     std::string const message = message_of([] {
-        session_of(empty_level(Vec2::Zero()), {{0, game::Tilt{0}}, {1, game::Grab{1, Vec2(0, 0)}}});
+        stepped(empty_level(Vec2::Zero()), {{0, game::Tilt{0}}, {1, game::Grab{1, Vec2(0, 0)}}});
     });
     CHECK(message.find("run.json: inputs[1]: grab: there is no ball 1") == 0);
 }
 
 TEST_CASE("what the player does is events in the history, a move is none") {
-    Session session = session_of(empty_level(Vec2::Zero()), drag());
+    Session session = stepped(empty_level(Vec2::Zero()), drag());
     game::advance(session, 1);
     std::vector<physics::EventKind> kinds;
     for (physics::Event const& event : session.history.events) kinds.push_back(event.kind);
@@ -196,7 +170,7 @@ TEST_CASE("what the player does is events in the history, a move is none") {
 
 TEST_CASE("what was played comes out the same from its run") {
     level::Level const level = empty_level(Vec2(1, 1));
-    Session played = session_of(level);
+    Session played = stepped(level);
     game::advance(played, 0.1);
     game::act(played, game::Move{Vec2(1, 1)});  // nothing is grabbed, so this is nothing
     game::act(played, game::Grab{0, Vec2(2, 0)});
@@ -210,13 +184,13 @@ TEST_CASE("what was played comes out the same from its run") {
     CHECK(run.inputs.size() == 4);
     CHECK(run.method_name == "steps");
     CHECK(run.rate == 240.0);
-    Session replayed = session_of(level, run.inputs);
+    Session replayed = stepped(level, run.inputs);
     game::advance(replayed, run.duration.value());
     CHECK(game::state_hash(replayed, run.final->time) == run.final->state_hash);
 }
 
 TEST_CASE("when the player acts, inputs of a run that were to come are dropped") {
-    Session session = session_of(empty_level(Vec2::Zero()), drag());
+    Session session = stepped(empty_level(Vec2::Zero()), drag());
     game::advance(session, 0.2);
     game::act(session, game::Release{});
     game::advance(session, 1);
@@ -226,12 +200,9 @@ TEST_CASE("when the player acts, inputs of a run that were to come are dropped")
 
 TEST_CASE("bananas count from when the rim touches them, the goal from when the centre crosses it") {
     level::Level level = empty_level(Vec2(1, 0));
-    physics::Sensor banana;
-    banana.region = physics::DiscRegion{Vec2(2, 0), 0.25};
-    banana.rim = true;
-    add_sensor(level, banana, level::Meaning::banana);
-    add_line(level, 2, level::Meaning::goal);
-    Session session = session_of(level);
+    add_sensor(level, level::Meaning::banana, physics::DiscRegion{Vec2(2, 0), 0.25}, true);
+    add_line(level, level::Meaning::goal, 2);
+    Session session = stepped(level);
     game::advance(session, 3);
     // At 1 m/s: 2 - 0.25 - 0.5 s and 2 s; a sensor answers to 1e-11 m and steps add rounding.
     CHECK(std::abs(session.noticed_at[0] - 1.25) <= 1e-9);
@@ -244,14 +215,12 @@ TEST_CASE("bananas count from when the rim touches them, the goal from when the 
 
 TEST_CASE("the game ends at the same time however often one looks, under every method") {
     level::Level level = empty_level(Vec2(1, 0));
-    add_line(level, 0.4, level::Meaning::fall);
-    add_line(level, 0.8 - 1e-3, level::Meaning::goal);
+    add_line(level, level::Meaning::fall, 0.4);
+    add_line(level, level::Meaning::goal, 0.8 - 1e-3);
     level.scene.sensors[0].ball = -1;
-    for (physics::Method const& method :
-         {physics::Method(physics::Article{}), physics::Method(physics::Euler{}), physics::Method(physics::Steps{}),
-          physics::Method(physics::Exact{})}) {
-        auto const shared = std::make_shared<level::Level const>(level);
-        Session once = game::session_of(shared, method, drag()), often = game::session_of(shared, method, drag());
+    for (physics::Method const& method : {physics::Method(physics::Article{}), physics::Method(physics::Euler{}),
+                                          physics::Method(physics::Steps{}), physics::Method(physics::Exact{})}) {
+        Session once = session_of(level, method, drag()), often = session_of(level, method, drag());
         game::advance(once, 2);
         for (int i = 0; i <= 120; ++i) {
             game::advance(often, i / 60.0);
@@ -267,8 +236,8 @@ TEST_CASE("the game ends at the same time however often one looks, under every m
 TEST_CASE("a sensor's event that comes in between those judged already is judged") {
     // At 1 s the goal is crossed and gravity turned.
     level::Level level = empty_level(Vec2(1, 0));
-    add_line(level, 1, level::Meaning::goal);
-    Session session = session_of(level, {{1, game::Tilt{0.1}}});
+    add_line(level, level::Meaning::goal, 1);
+    Session session = stepped(level, {{1, game::Tilt{0.1}}});
     game::advance(session, 1);
     game::advance(session, 1 + 1e-9);
     REQUIRE(session.goal_time);
@@ -277,17 +246,17 @@ TEST_CASE("a sensor's event that comes in between those judged already is judged
 
 TEST_CASE("what happens first ends the game: no goal after a fall or when time is up") {
     level::Level fallen = empty_level(Vec2(1, 0));
-    add_line(fallen, 1, level::Meaning::fall);
-    add_line(fallen, 2, level::Meaning::goal);
-    Session session = session_of(fallen);
+    add_line(fallen, level::Meaning::fall, 1);
+    add_line(fallen, level::Meaning::goal, 2);
+    Session session = stepped(fallen);
     game::advance(session, 3);
     CHECK(game::status_at(session, 3).fall_time);
     CHECK_FALSE(game::status_at(session, 3).goal_time);
 
     level::Level late = empty_level(Vec2(1, 0));
-    add_line(late, 2, level::Meaning::goal);
+    add_line(late, level::Meaning::goal, 2);
     late.time_limit = 1.5;
-    session = session_of(late);
+    session = stepped(late);
     game::advance(session, 3);
     CHECK_FALSE(game::status_at(session, 1.5).out_of_time);
     CHECK(game::status_at(session, 1.6).out_of_time);
@@ -297,13 +266,13 @@ TEST_CASE("what happens first ends the game: no goal after a fall or when time i
 TEST_CASE("where nothing can be pulled, a grab is nothing") {
     level::Level level = empty_level(Vec2(1, 0));
     level.drag_reach = 0;
-    Session session = session_of(level, drag());
+    Session session = stepped(level, drag());
     game::advance(session, 1);
     CHECK(session.pulled_at.empty());
     CHECK(session.forces.back().forces.tilt == 0.2);
     CHECK_FALSE(session.world.forces.pull);
     level.tilt_limit = 0;
-    session = session_of(level, drag());
+    session = stepped(level, drag());
     game::advance(session, 1);
     CHECK(geometry::length(physics::state_at(session.history, 0, 1).position - Vec2(1, 0)) < 1e-12);
 }
@@ -313,7 +282,7 @@ TEST_CASE("a pull is counted when a ball is taken") {
     std::vector<game::Input> inputs = drag();
     inputs.push_back({0.8, game::Grab{0, Vec2(0, 0)}});
     inputs.push_back({0.9, game::Release{}});
-    Session session = session_of(level, inputs);
+    Session session = stepped(level, inputs);
     game::advance(session, 1);
     CHECK(game::status_at(session, 0.1).pulls == 0);
     CHECK(game::status_at(session, 0.2).pulls == 1);
@@ -325,8 +294,7 @@ TEST_CASE("a game taken back to a moment is as it was then, and goes on as it we
     level::Level level = empty_level(Vec2(1, 0.3));
     level.scene.gravity = 9.81;
     for (physics::Method const& method : {physics::Method(physics::Exact{}), physics::Method(physics::Steps{})}) {
-        auto const shared = std::make_shared<level::Level const>(level);
-        Session whole = game::session_of(shared, method, drag());
+        Session whole = session_of(level, method, drag());
         game::advance(whole, 2);
         Session earlier = game::rewound(whole, 0.5);
         CHECK(earlier.inputs.size() == 3);

@@ -1,9 +1,10 @@
 #include "game/texts.h"
 
-#include <cstdlib>
 #include <set>
 
 #include <doctest/doctest.h>
+
+#include "support/folder.h"
 
 using game::Language;
 using game::Text;
@@ -37,30 +38,19 @@ TEST_CASE("the system's language is what the first of three variables says that 
     for (char const* locale : {"C", "", "en_GB.UTF-8", "dev", "POSIX"})
         CHECK(game::language_of_locale(locale) == Language::english);
 
-    char const* const names[] = {"LC_ALL", "LC_MESSAGES", "LANG"};
-    std::string before[3];
-    bool was_set[3];
-    for (int i = 0; i < 3; ++i) {
-        char const* const value = std::getenv(names[i]);
-        was_set[i] = value != nullptr;
-        before[i] = value ? value : "";
-        unsetenv(names[i]);
+    support::Variable const all("LC_ALL", {}), messages("LC_MESSAGES", {}), lang("LANG", {});
+    struct Case {
+        support::Variable const& variable;
+        char const* value;
+        Language language;
+    };
+    CHECK(game::language_of_system() == Language::english);
+    for (Case const& c : {Case{lang, "de_AT.UTF-8", Language::german}, Case{messages, "en_US.UTF-8", Language::english},
+                          Case{all, "de_DE", Language::german}, Case{all, "C", Language::english}}) {
+        c.variable.set(c.value);
+        CHECK(game::language_of_system() == c.language);
     }
-    CHECK(game::language_of_system() == Language::english);
-    setenv("LANG", "de_AT.UTF-8", 1);
+    all.set("");
+    messages.set("");
     CHECK(game::language_of_system() == Language::german);
-    setenv("LC_MESSAGES", "en_US.UTF-8", 1);
-    CHECK(game::language_of_system() == Language::english);
-    setenv("LC_ALL", "de_DE", 1);
-    CHECK(game::language_of_system() == Language::german);
-    setenv("LC_ALL", "C", 1);
-    CHECK(game::language_of_system() == Language::english);
-    setenv("LC_ALL", "", 1);
-    setenv("LC_MESSAGES", "", 1);
-    CHECK(game::language_of_system() == Language::german);
-    for (int i = 0; i < 3; ++i)
-        if (was_set[i])
-            setenv(names[i], before[i].c_str(), 1);
-        else
-            unsetenv(names[i]);
 }

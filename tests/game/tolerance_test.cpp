@@ -5,32 +5,14 @@
 #include <doctest/doctest.h>
 
 #include "physics/world/overlap.h"
+#include "scenes/levels.h"
 
-namespace {
-
-constexpr double g = 9.81;  // m/s^2
-
-std::shared_ptr<level::Level const> level_of(std::vector<physics::Ball> balls) {
-    auto level = std::make_shared<level::Level>();
-    level->file = "level.svg";
-    level->size = {16, 9};
-    level->scene.gravity = g;
-    level->scene.balls = std::move(balls);
-    return level;
-}
-
-physics::Ball ball_at(double x, double y) {
-    physics::Ball ball;
-    ball.start.position = {x, y};
-    return ball;
-}
-
-}  // namespace
+using namespace scenes;
 
 TEST_CASE("the error of a ball in free fall under euler is that of its velocity, a step ahead: g h t / 2") {
     double const rate = 240, lead = g / (2 * rate);  // m, after 1 s
     for (double const every : {1.0, 1.0 / 60, 1.0 / 120}) {
-        game::Session session = game::session_of(level_of({ball_at(0, 0)}), physics::Euler{rate});
+        game::Session session = session_of(level_with({disc_at({0, 0})}), physics::Euler{rate});
         game::watch_tolerance(session, 1.01 * lead);
         for (double t = 0; t < 1 - 1e-9; t += every) {
             game::advance(session, t + every);
@@ -46,22 +28,23 @@ TEST_CASE("the error of a ball in free fall under euler is that of its velocity,
 }
 
 TEST_CASE("a ball that no other is near has no error under steps, whatever the rate") {
-    game::Session session = game::session_of(level_of({ball_at(0, 0)}), physics::Steps{10, 4}, {{0.105, game::Tilt{0.3}}});
+    game::Session session =
+        session_of(level_with({disc_at({0, 0})}), physics::Steps{10, 4}, {{0.105, game::Tilt{0.3}}});
     game::watch_tolerance(session, 1e-12);
     game::advance(session, 1);
     CHECK(session.watch->reached == 0);
 }
 
 TEST_CASE("one ball under exact is promised and not watched, several and steps are not") {
-    auto const one = level_of({ball_at(0, 0)}), two = level_of({ball_at(0, 0), ball_at(3, 0)});
-    CHECK(game::is_promised(physics::Exact{}, one->scene));
-    CHECK(game::doubt_about(physics::Exact{}, one->scene).empty());
-    game::Session session = game::session_of(one, physics::Exact{});
+    level::Level const one = level_with({disc_at({0, 0})}), two = level_with({disc_at({0, 0}), disc_at({3, 0})});
+    CHECK(game::is_promised(physics::Exact{}, one.scene));
+    CHECK(game::doubt_about(physics::Exact{}, one.scene).empty());
+    game::Session session = session_of(one, physics::Exact{});
     game::watch_tolerance(session, 1e-9);
     CHECK_FALSE(session.watch);
-    CHECK_FALSE(game::is_promised(physics::Steps{}, one->scene));
-    CHECK_FALSE(game::is_promised(physics::Exact{}, two->scene));
-    session = game::session_of(two, physics::Exact{});
+    CHECK_FALSE(game::is_promised(physics::Steps{}, one.scene));
+    CHECK_FALSE(game::is_promised(physics::Exact{}, two.scene));
+    session = session_of(two, physics::Exact{});
     game::watch_tolerance(session, 1e-9);
     REQUIRE(session.watch);
     game::advance(session, 1);
@@ -70,12 +53,10 @@ TEST_CASE("one ball under exact is promised and not watched, several and steps a
 
 TEST_CASE("an input that steps take late is an error against the exact path") {
     // Without gravity article flies on the spring exactly, from the step on at which the grab acts.
-    auto const level = std::make_shared<level::Level>(*level_of({ball_at(0, 0)}));
-    level->scene.gravity = 0;
-    level->drag_reach = 4;
+    level::Level level = level_with({disc_at({0, 0})}, 0);
+    level.drag_reach = 4;
     auto const error_of = [&](double grab) {
-        game::Session session =
-            game::session_of(level, physics::Article{240}, {{grab, game::Grab{0, {1, 0}}}});
+        game::Session session = session_of(level, physics::Article{240}, {{grab, game::Grab{0, {1, 0}}}});
         game::watch_tolerance(session, 1e-3);
         game::advance(session, 1);
         return session.watch->reached;
@@ -85,10 +66,10 @@ TEST_CASE("an input that steps take late is an error against the exact path") {
 
 TEST_CASE("the deepest overlap is that of any two balls, or of a ball with terrain") {
     physics::Scene scene;
-    for (int i = 0; i < 20; ++i) scene.balls.push_back(ball_at(2 * i, 0));
+    for (int i = 0; i < 20; ++i) scene.balls.push_back(disc_at({2.0 * i, 0}));
     std::vector<geometry::Vec2> centres;
     for (physics::Ball const& ball : scene.balls) centres.push_back(ball.start.position);
-    scene.terrain = physics::terrain_of({{geometry::Segment{{-1, -0.5}, {50, -0.5}}, {}, 0}});
+    scene.terrain = physics::terrain_of({line({-1, -0.5}, {50, -0.5})});
     CHECK(physics::deepest_overlap(scene, centres) == 0);
     centres[7].y() = -0.02;
     CHECK(physics::deepest_overlap(scene, centres) == doctest::Approx(0.02));

@@ -1,16 +1,17 @@
 #include <doctest/doctest.h>
 
 #include "game/what_if.h"
-#include "level/level.h"
+#include "scenes/levels.h"
 
 using geometry::Vec2;
 
 namespace {
 
+std::vector<physics::Method> const foreseen = {physics::Exact{}, physics::Steps{}, physics::Article{}};
+
 game::Session session_under(physics::Method const& method) {
-    auto const level = std::make_shared<level::Level const>(level::read_level(ASSETS "/levels/01-sunny-hills.svg"));
-    game::Session session = game::session_of(level, method);
-    Vec2 const start = level->scene.balls[0].start.position;
+    game::Session session = game::session_of(scenes::read_level(ASSETS "/levels/01-sunny-hills.svg"), method);
+    Vec2 const start = session.level->scene.balls[0].start.position;
     game::act(session, game::Grab{0, start + Vec2(1, 1.5)});
     game::advance(session, 0.25);
     return session;
@@ -19,8 +20,7 @@ game::Session session_under(physics::Method const& method) {
 }  // namespace
 
 TEST_CASE("a glimpse of a method is what then comes, bit by bit") {
-    for (physics::Method const& method :
-         {physics::Method{physics::Exact{}}, physics::Method{physics::Steps{}}, physics::Method{physics::Article{}}}) {
+    for (physics::Method const& method : foreseen) {
         CAPTURE(physics::name_of(method));
         game::Session session = session_under(method);
         physics::History const coming = game::what_if(session, game::Release{}, 1);
@@ -32,8 +32,7 @@ TEST_CASE("a glimpse of a method is what then comes, bit by bit") {
 }
 
 TEST_CASE("a glimpse of a pull beyond the reach counts on the hook that goes along") {
-    for (physics::Method const& method :
-         {physics::Method{physics::Exact{}}, physics::Method{physics::Steps{}}, physics::Method{physics::Article{}}}) {
+    for (physics::Method const& method : foreseen) {
         CAPTURE(physics::name_of(method));
         game::Session session = session_under(method);
         Vec2 const pointer = session.level->scene.balls[0].start.position + Vec2(90, 30);

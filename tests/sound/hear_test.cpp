@@ -14,8 +14,7 @@ using namespace sound_test;
 
 namespace {
 
-constexpr double gravity = 9.81;
-double falling_time(double height) { return std::sqrt(2 * height / gravity); }
+double falling_time(double height) { return std::sqrt(2 * height / g); }
 
 std::vector<sound::Note> notes_of(Score const& score, Timbre timbre) {
     std::vector<sound::Note> notes;
@@ -42,9 +41,7 @@ double brightness_of(std::vector<double> const& samples) {
 
 level::Level rolling_level(double speed, physics::Material const& material = {}) {
     level::Level level = floor_level(0, material);
-    level.scene.balls[0].start.velocity = Vec2(speed, 0);
-    level.scene.balls[0].start.spin = -speed / level.scene.balls[0].radius;
-    level.scene.balls[0].start.position.x() = 0;
+    level.scene.balls = {disc(0.4, {0, 1.4}, {speed, 0}, -speed / 0.4)};
     return level;
 }
 
@@ -70,7 +67,7 @@ TEST_CASE("each bounce is heard at its sample, softer than the one before") {
         if (i > 0) CHECK(notes[i].loudness < notes[i - 1].loudness);
     }
     // The blow changes the velocity by (1 + e) times the speed of the fall.
-    CHECK(notes[0].loudness == doctest::Approx(sound::loudness_of_blow((1 + e) * gravity * falling_time(height))));
+    CHECK(notes[0].loudness == doctest::Approx(sound::loudness_of_blow((1 + e) * g * falling_time(height))));
 }
 
 TEST_CASE("a blow is the louder the harder, and none below the faintest") {
@@ -96,18 +93,12 @@ TEST_CASE("what a ball falls on is heard") {
 
 TEST_CASE("a larger ball sounds lower") {
     level::Level large = floor_level(1);
-    large.scene.balls[0].radius = 0.8;
-    large.scene.balls[0].start.position.y() += 0.4;
+    large.scene.balls = {disc(0.8, {8, 2.8})};
     CHECK(only_note_of(score_of(large, 0.6)).pitch < 0.8 * only_note_of(score_of(floor_level(1), 0.6)).pitch);
 }
 
 TEST_CASE("two balls that meet click once") {
-    level::Level level = floor_level(0);
-    level.scene.gravity = 0;
-    level.scene.terrain = {};
-    level.scene.balls.push_back(level.scene.balls[0]);
-    level.scene.balls[1].start.position.x() += 3;
-    level.scene.balls[0].start.velocity = Vec2(2, 0);
+    level::Level const level = level_with({disc(0.4, {8, 1.4}, {2, 0}), disc(0.4, {11, 1.4})}, 0);
     sound::Note const note = only_note_of(score_of(level, 2));
     CHECK(note.timbre == Timbre::marble);
     CHECK(note.start == std::llround((3 - 0.8) / 2 * sound::rate));
@@ -142,7 +133,7 @@ TEST_CASE("a ball that slides hisses until it grips") {
     level.scene.balls[0].start.spin = 0;
     Score const score = score_of(level, 2);
     // Slip ends at v / (mu g (1 + 1/k)).
-    double const grips = 6 / (0.2 * gravity * 3);
+    double const grips = 6 / (0.2 * g * 3);
     auto const& rows = score.motions.rows[0];
     for (std::size_t i = 0; i < rows.size(); ++i) {
         double const time =
@@ -175,9 +166,9 @@ TEST_CASE("slow motion hears later what happens later, at the same pitch") {
 
 TEST_CASE("bananas, the goal, a fall and the end of the time are heard at their sample") {
     level::Level level = rolling_level(2);
-    add_sensor(level, physics::LineRegion{Vec2(1, 0), Vec2(1, 5)}, level::Meaning::banana);
-    add_sensor(level, physics::LineRegion{Vec2(2, 0), Vec2(2, 5)}, level::Meaning::banana);
-    add_sensor(level, physics::LineRegion{Vec2(3, 0), Vec2(3, 5)}, level::Meaning::goal);
+    add_sensor(level, level::Meaning::banana, physics::LineRegion{Vec2(1, 0), Vec2(1, 5)});
+    add_sensor(level, level::Meaning::banana, physics::LineRegion{Vec2(2, 0), Vec2(2, 5)});
+    add_sensor(level, level::Meaning::goal, physics::LineRegion{Vec2(3, 0), Vec2(3, 5)});
     Score const won = score_of(level, 2);
     auto const plings = notes_of(won, Timbre::pling);
     REQUIRE(plings.size() == 4);

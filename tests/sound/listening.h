@@ -5,44 +5,26 @@
 #include <memory>
 #include <vector>
 
-#include "game/session.h"
+#include "scenes/levels.h"
 #include "sound/hear.h"
 #include "sound/samples.h"
 
 namespace sound_test {
 
-using geometry::Vec2;
+using namespace scenes;
 
 // A floor at height 1, 16 m wide, and a ball of radius 0.4 m whose lowest point is so high above it.
 inline level::Level floor_level(double height, physics::Material const& material = {}) {
-    level::Level level;
-    level.size = Vec2(16, 9);
+    level::Level level = level_with({disc(0.4, {8, 1.4 + height})});
     level.surface_names = {"floor"};
-    level.scene.terrain = physics::terrain_of({{geometry::Segment{{-20, 1}, {40, 1}}, material, 0}});
-    physics::Ball ball;
-    ball.radius = 0.4;
-    ball.start.position = Vec2(8, 1.4 + height);
-    level.scene.balls = {ball};
+    level.scene.terrain = physics::terrain_of({line({-20, 1}, {40, 1}, material)});
     return level;
-}
-
-inline void add_sensor(level::Level& level, physics::Region const& region, level::Meaning meaning) {
-    physics::Sensor sensor;
-    sensor.region = region;
-    sensor.ball = 0;
-    level.scene.sensors.push_back(sensor);
-    level.meanings.push_back(meaning);
-}
-
-inline game::Session session_of(level::Level const& level, std::vector<game::Input> inputs = {}) {
-    return game::session_of(std::make_shared<level::Level const>(level), physics::Exact{}, std::move(inputs),
-                            "run.json");
 }
 
 // What is heard until a time, without a tune, in stretches of so many seconds.
 inline sound::Score score_of(level::Level const& level, double until, double stretch = 10,
                              std::vector<game::Input> inputs = {}) {
-    game::Session session = session_of(level, std::move(inputs));
+    game::Session session = session_of(level, physics::Exact{}, std::move(inputs));
     sound::Score score;
     for (double from = -1, to = 0; from < until; from = to) {
         to = std::min(until, std::max(from, 0.0) + stretch);
