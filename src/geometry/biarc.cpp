@@ -303,10 +303,6 @@ std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2,
     return arcs;
 }
 
-std::vector<Curve> arcs_of_quadratic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2, double tolerance) {
-    return arcs_of_cubic(p0, p0 + (p1 - p0) * (2.0 / 3), p2 + (p1 - p2) * (2.0 / 3), p2, tolerance);
-}
-
 std::vector<Curve> arcs_of_ellipse(EllipticArc const& ellipse, double tolerance) {
     Vec2 const& a = ellipse.first;
     Vec2 const& b = ellipse.second;

@@ -14,8 +14,6 @@ inline constexpr double drawing_tolerance = 1e-3;  // m, how far an arc may leav
 // a circle of 1e6 m: there its arcs are straight lines.
 std::vector<Curve> arcs_of_cubic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2, Vec2 const& p3,
                                  double tolerance = drawing_tolerance);
-std::vector<Curve> arcs_of_quadratic(Vec2 const& p0, Vec2 const& p1, Vec2 const& p2,
-                                     double tolerance = drawing_tolerance);
 
 // centre + first cos(t) + second sin(t) for t from `from` over `sweep`. An affine map acts on the centre and on both
 // axes.

@@ -131,11 +131,4 @@ std::optional<double> first_fall(std::span<double const> gap, double until) {
     return std::nullopt;
 }
 
-std::optional<double> first_rise(std::span<double const> gap, double until) {
-    assert(gap.size() <= most_coefficients);
-    std::array<double, most_coefficients> room;
-    for (std::size_t i = 0; i < gap.size(); ++i) room[i] = -gap[i];
-    return first_fall(std::span<double const>(room).first(gap.size()), until);
-}
-
 }  // namespace geometry

@@ -35,9 +35,6 @@ struct Crossings {
 };
 Crossings crossings(std::span<double const> polynomial, double until);
 
-// first_fall of -gap.
-std::optional<double> first_rise(std::span<double const> gap, double until);
-
 // The same polynomial counted from t.
 template <std::size_t N>
 std::array<double, N> counted_from(double t, std::array<double, N> p) {

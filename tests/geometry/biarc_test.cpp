@@ -109,12 +109,6 @@ TEST_CASE("a straight cubic is a segment, a point is nothing") {
     CHECK(arcs_of_cubic({1, 1}, {1, 1}, {1, 1}, {1, 1}).empty());
 }
 
-TEST_CASE("a quadratic is the cubic it can be raised to") {
-    Vec2 const a(0, 0), b(2, 3), c(4, 0);
-    auto const at = [=](double t) -> Vec2 { return (1 - t) * (1 - t) * a + 2 * t * (1 - t) * b + t * t * c; };
-    CHECK(deviation(arcs_of_quadratic(a, b, c), at) <= drawing_tolerance + 2e-5);
-}
-
 TEST_CASE("an ellipse is followed within tolerance, a circle is one exact arc") {
     EllipticArc const oval{{1, 2}, {3, 1}, {-0.5, 1}, 0.3, 4 * pi_half};
     auto const at = [&](double t) -> Vec2 {

@@ -7,16 +7,13 @@
 #include <vector>
 
 #include "geometry/polynomial.h"
+#include "support/sanitized.h"
 
 using namespace geometry;
 
 namespace {
 
-#ifdef SMB2D_SANITIZED
-constexpr int cases = 5000;
-#else
-constexpr int cases = 200000;
-#endif
+constexpr int cases = sanitized ? 5'000 : 200'000;
 constexpr double horizon = 10;   // s
 constexpr double depth = 1e-11;  // of the radius: a hit this deep must not be missed
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -186,10 +183,4 @@ TEST_CASE("without an end in sight a far root is found, and a constant never fal
     CHECK_FALSE(first_fall(std::vector<double>{0}, infinity));
     CHECK_FALSE(first_fall(std::vector<double>{0, 0, 0}, infinity));
     CHECK_FALSE(first_fall(std::vector<double>{}, infinity));
-}
-
-TEST_CASE("a rise is a fall of the negative") {
-    CHECK(*first_rise(std::vector<double>{-4, 0, 1}, 10) == 2);
-    CHECK(first_rise(std::vector<double>{4, 0, 1, 1}, 10) == 0.0);
-    CHECK_FALSE(first_rise(std::vector<double>{-4, 0, -1, -1}, 10));
 }

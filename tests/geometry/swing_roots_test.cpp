@@ -5,16 +5,13 @@
 #include <random>
 
 #include "geometry/swing_roots.h"
+#include "support/sanitized.h"
 
 using namespace geometry;
 
 namespace {
 
-#ifdef SMB2D_SANITIZED
-constexpr int swing_cases = 100;
-#else
-constexpr int swing_cases = 600;
-#endif
+constexpr int swing_cases = sanitized ? 100 : 600;
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double right_angle = 1.57079632679489661923;
 

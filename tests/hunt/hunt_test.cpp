@@ -10,6 +10,7 @@
 #include "hunt/kinds.h"
 #include "hunt/otherwise.h"
 #include "hunt/shrink.h"
+#include "support/sanitized.h"
 
 using hunt::Bow;
 using hunt::Line;
@@ -18,11 +19,7 @@ using hunt::Vec2;
 
 namespace {
 
-#ifdef SMB2D_SANITIZED
-constexpr std::uint64_t seeds = 6, seeds_of_steps = 2;  // of each kind: sanitized, all takes twenty times as long
-#else
-constexpr std::uint64_t seeds = 40, seeds_of_steps = 10;
-#endif
+constexpr std::uint64_t seeds = sanitized ? 6 : 40, seeds_of_steps = sanitized ? 2 : 10;  // of each kind
 
 void hold(physics::Method const& method, std::string const& kind, std::uint64_t seed) {
     auto const verdict = hunt::judged(hunt::sketch_of(kind, seed), method, hunt::Clock::ignored);
@@ -82,8 +79,8 @@ TEST_CASE("what the hunt has found stays mended") {
         {"narrow", 100243},         // into an arc of its own radius, met past its middle
         {"narrow", 90091},          // out of it along a tangent
         {"narrow", 82877},          // and over its other end
-        {"narrow", 600417},         // lifted off the inner arc of a slot where the third derivative alone closes the outer gap
-        {"narrow", 601096},         // the same
+        {"narrow", 600417},  // lifted off the inner arc of a slot where the third derivative alone closes the outer gap
+        {"narrow", 601096},  // the same
         {"narrow+player", 801013},  // through a cup narrower by 1e-9 m, between its ends and nothing
         {"narrow+player", 900009},  // thrown off and back by its spin alone
         {"twice+player", 801940},   // spinning in a corner whose slope is as steep as its friction: no number
