@@ -6,23 +6,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
-
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STB_IMAGE_IMPLEMENTATION
-#include <stb_image.h>
-#pragma GCC diagnostic pop
+#include <vector>
 
 namespace screen {
 namespace {
@@ -143,29 +133,11 @@ Encoder& encoder_of_this_thread() {
 
 }  // namespace
 
-std::vector<std::uint8_t> png_of(Pixels const& pixels) { return encoder_of_this_thread().png(pixels); }
-
 void write_png(std::filesystem::path const& file, Pixels const& pixels) {
     auto const& bytes = encoder_of_this_thread().png(pixels);
     Draft draft(file);
     draft.write(bytes);
     draft.keep();
-}
-
-Pixels read_png(std::filesystem::path const& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw failure(file, std::strerror(errno));
-    std::vector<char> const bytes{std::istreambuf_iterator<char>(stream), {}};
-    Pixels pixels;
-    int channels = 0;
-    std::unique_ptr<unsigned char, decltype(&std::free)> const decoded(
-        stbi_load_from_memory(reinterpret_cast<unsigned char const*>(bytes.data()), static_cast<int>(bytes.size()),
-                              &pixels.width, &pixels.height, &channels, 4),
-        std::free);
-    if (!decoded) throw failure(file, stbi_failure_reason());
-    pixels.rgba.assign(decoded.get(), decoded.get() + 4 * static_cast<std::size_t>(pixels.width) *
-                                                          static_cast<std::size_t>(pixels.height));
-    return pixels;
 }
 
 }  // namespace screen

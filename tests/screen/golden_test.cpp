@@ -19,7 +19,7 @@ void compare(std::string const& name, view::Picture const& picture) {
     std::filesystem::path const file = std::filesystem::path(TEST_DATA) / "screen/golden" / (name + ".png");
     auto const pixels = screen::Offscreen().paint(picture);
     if (std::getenv("SMB2D_REMAKE_GOLDEN")) screen::write_png(file, pixels);
-    auto const golden = screen::read_png(file);
+    auto const golden = samples::read_png(file);
     REQUIRE(golden.width == pixels.width);
     REQUIRE(golden.height == pixels.height);
     int largest = 0;

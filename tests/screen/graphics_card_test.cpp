@@ -4,13 +4,13 @@
 
 #include <fstream>
 
-#include "folder.h"
+#include "support/folder.h"
 
 #ifdef __linux__
 
 TEST_CASE("a system without a device of a graphics card has software alone to draw with") {
     for (char const* device : {"dri", "nvidiactl", "dxg"}) {
-        Folder const folder;
+        support::Folder const folder;
         std::ofstream(folder / "null");
         CHECK_FALSE(screen::may_have_graphics_card(folder.path()));
         std::ofstream(folder / device);

@@ -17,10 +17,7 @@ int area_of(std::vector<Box> const& boxes) {
 }
 
 view::Area square(double left, double top, double right, double bottom, view::Colour const& colour) {
-    view::Area area;
-    area.paint.top = area.paint.bottom = colour;
-    area.rings = {{{left, top}, {right, top}, {right, bottom}, {left, bottom}}};
-    return area;
+    return area({{{left, top}, {right, top}, {right, bottom}, {left, bottom}}}, colour);
 }
 
 }  // namespace

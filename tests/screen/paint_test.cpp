@@ -128,10 +128,8 @@ TEST_CASE("a see-through ring is painted once everywhere, also where its quads m
 }
 
 TEST_CASE("an area has holes where rings lie in rings") {
-    view::Area area;
-    area.paint.top = area.paint.bottom = red;
-    area.rings = {{{4, 4}, {60, 4}, {60, 44}, {4, 44}}, {{20, 10}, {20, 40}, {50, 40}, {50, 10}}};
-    auto const pixels = painted_on_black(area);
+    auto const pixels =
+        painted_on_black(area({{{4, 4}, {60, 4}, {60, 44}, {4, 44}}, {{20, 10}, {20, 40}, {50, 40}, {50, 10}}}, red));
     CHECK(at(pixels, 10, 20) == Rgb{255, 0, 0});
     CHECK(at(pixels, 30, 20) == Rgb{0, 0, 0});
     CHECK(at(pixels, 55, 43) == Rgb{255, 0, 0});
@@ -140,10 +138,7 @@ TEST_CASE("an area has holes where rings lie in rings") {
 
 TEST_CASE("grain stays with the world: moved by whole pixels, the same picture") {
     auto const with_origin = [](double x) {
-        view::Area area;
-        area.paint = {red, red, 0, 48, 1, {x, 48}, 37};
-        area.rings = {{{0, 0}, {64, 0}, {64, 48}, {0, 48}}};
-        return painted_on_black(area);
+        return painted_on_black(view::Area{{{{0, 0}, {64, 0}, {64, 48}, {0, 48}}}, {red, red, 0, 48, 1, {x, 48}, 37}});
     };
     auto const here = with_origin(3), there = with_origin(10);
     int different = 0, varied = 0;
@@ -157,20 +152,16 @@ TEST_CASE("grain stays with the world: moved by whole pixels, the same picture")
 }
 
 TEST_CASE("a gradient runs along the way down that an area is given, and its grain lies along it") {
-    view::Area area;
-    area.paint = {red, blue, 0, 64, 0, {0, 0}, 1, {1, 0}};
-    area.rings = {{{0, 0}, {64, 0}, {64, 48}, {0, 48}}};
-    auto const smooth = painted_on_black(area);
+    auto const smooth =
+        painted_on_black(view::Area{{{{0, 0}, {64, 0}, {64, 48}, {0, 48}}}, {red, blue, 0, 64, 0, {0, 0}, 1, {1, 0}}});
     for (int x : {0, 20, 63}) {
         int const share = static_cast<int>(std::lround((x + 0.5) / 64 * 255));
         CHECK(is_near(at(smooth, x, 30), {255 - share, 0, share}));
     }
     // Down to the right is a quarter turn anticlockwise about the origin: what was at (47 - y, x) is at (x, y).
     auto const grained = [](Vec2 const& origin, Vec2 const& down) {
-        view::Area square;
-        square.paint = {red, red, 0, 48, 1, origin, 37, down};
-        square.rings = {{{0, 0}, {48, 0}, {48, 48}, {0, 48}}};
-        return painted_on_black(square);
+        return painted_on_black(
+            view::Area{{{{0, 0}, {48, 0}, {48, 48}, {0, 48}}}, {red, red, 0, 48, 1, origin, 37, down}});
     };
     auto const upright = grained({0, 0}, {0, 1}), turned = grained({0, 48}, {1, 0});
     int different = 0, varied = 0;
@@ -286,9 +277,7 @@ TEST_CASE("places that are not numbers leave the rest of the picture alone") {
         picture.shapes.emplace_back(view::ArcStroke{{3, bad}, 4, bad, bad, 2, red});
         picture.shapes.emplace_back(view::Panel{{bad, 3}, {3, nan}, bad, red});
         picture.shapes.emplace_back(view::Label{{bad, 3}, 10, "A\xff\xf0", red});
-        view::Area area;
-        area.rings = {{{bad, 3}, {3, 3}, {3, nan}}};
-        picture.shapes.emplace_back(area);
+        picture.shapes.emplace_back(area({{{bad, 3}, {3, 3}, {3, nan}}}, {}));
     }
     CHECK(at(painted(picture), 40, 30) == Rgb{0, 0, 255});
 }

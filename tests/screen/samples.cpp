@@ -2,9 +2,27 @@
 
 #include <cmath>
 
+#include <doctest/doctest.h>
+
 #include "screen/offscreen.h"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
 namespace samples {
+
+view::Area area(std::vector<std::vector<Vec2>> const& rings, view::Colour const& colour) {
+    view::Area area;
+    area.rings = rings;
+    area.paint.top = area.paint.bottom = colour;
+    return area;
+}
 
 view::Picture plain(int width, int height, view::Colour const& colour) {
     view::Picture picture;
@@ -72,6 +90,16 @@ Rgb at(screen::Pixels const& pixels, int x, int y) {
     std::size_t const i =
         4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) + static_cast<std::size_t>(x));
     return {pixels.rgba.at(i), pixels.rgba.at(i + 1), pixels.rgba.at(i + 2)};
+}
+
+screen::Pixels read_png(std::filesystem::path const& file) {
+    screen::Pixels pixels;
+    int channels = 0;
+    stbi_uc* const decoded = stbi_load(file.c_str(), &pixels.width, &pixels.height, &channels, 4);
+    REQUIRE(decoded != nullptr);
+    pixels.rgba.assign(decoded, decoded + 4 * pixels.width * pixels.height);
+    stbi_image_free(decoded);
+    return pixels;
 }
 
 }  // namespace samples

@@ -1,6 +1,8 @@
 // Small pictures that the tests of the screen share.
 #pragma once
 
+#include <filesystem>
+
 #include "screen/pixels.h"
 #include "view/picture.h"
 
@@ -9,6 +11,8 @@ namespace samples {
 using view::Vec2;
 
 constexpr view::Colour black{0, 0, 0, 1}, white{1, 1, 1, 1}, red{1, 0, 0, 1}, blue{0, 0, 1, 1};
+
+view::Area area(std::vector<std::vector<Vec2>> const& rings, view::Colour const& colour);
 
 // Nothing but the colour.
 view::Picture plain(int width, int height, view::Colour const& colour);
@@ -26,5 +30,7 @@ struct Rgb {
     bool operator==(Rgb const&) const = default;
 };
 Rgb at(screen::Pixels const& pixels, int x, int y);
+
+screen::Pixels read_png(std::filesystem::path const& file);
 
 }  // namespace samples

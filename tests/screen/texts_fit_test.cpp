@@ -30,28 +30,20 @@ Extent extent_of(view::Label const& label, screen::Glyphs const& glyphs) {
 
 void check_that_texts_fit(std::vector<view::Shape> const& shapes) {
     static screen::Glyphs const glyphs;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        auto const* label = std::get_if<view::Label>(&shapes[i]);
-        if (!label) continue;
-        Extent plate{0, least_size.x()};
-        for (std::size_t j = 0; j < i; ++j)
-            if (auto const* panel = std::get_if<view::Panel>(&shapes[j]);
-                panel && label->at.x() >= panel->corner.x() && label->at.x() <= panel->corner.x() + panel->size.x() &&
-                label->at.y() >= panel->corner.y() && label->at.y() <= panel->corner.y() + panel->size.y())
-                plate = {panel->corner.x(), panel->corner.x() + panel->size.x()};
-        Extent const extent = extent_of(*label, glyphs);
-        INFO(label->text);
-        CHECK(extent.left >= plate.left);
-        CHECK(extent.right <= plate.right);
+    for (view_test::Letters const& letters : view_test::letters_of(shapes)) {
+        double const left = letters.plate ? letters.plate->corner.x() : 0;
+        double const width = letters.plate ? letters.plate->size.x() : least_size.x();
+        Extent const extent = extent_of(letters.label, glyphs);
+        INFO(letters.label.text);
+        CHECK(extent.left >= left);
+        CHECK(extent.right <= left + width);
     }
 }
 
 // Left and right of each other on one line, labels do not meet.
 void check_that_texts_keep_apart(std::vector<view::Shape> const& shapes) {
     static screen::Glyphs const glyphs;
-    std::vector<view::Label> labels;
-    for (view::Shape const& shape : shapes)
-        if (auto const* label = std::get_if<view::Label>(&shape)) labels.push_back(*label);
+    std::vector<view::Label> const labels = view_test::all_of<view::Label>(shapes);
     for (std::size_t i = 0; i < labels.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             // Copies make the rim of large letters.
@@ -62,17 +54,17 @@ void check_that_texts_keep_apart(std::vector<view::Shape> const& shapes) {
         }
 }
 
+void check_card(std::vector<view::Shape> const& card) {
+    check_that_texts_fit(card);
+    check_that_texts_keep_apart(card);
+}
+
 level::Level demanding_level() {
     level::Level level;
     level.title = "Ein Level";
     level.pars.time = 12.5;
     level.pars.pulls = 12;
-    physics::Sensor banana;
-    banana.region = physics::DiscRegion{{1, 1}, 0.2};
-    for (int i = 0; i < 12; ++i) {
-        level.scene.sensors.push_back(banana);
-        level.meanings.push_back(level::Meaning::banana);
-    }
+    for (int i = 0; i < 12; ++i) scenes::add_sensor(level, level::Meaning::banana, physics::DiscRegion{{1, 1}, 0.2});
     return level;
 }
 
@@ -102,10 +94,7 @@ TEST_CASE("cards, pages and menus hold their texts in every language") {
                                             {words(Text::menu_settings, language)},
                                             {words(Text::menu_quit, language)}}},
                                           0, least_size));
-        for (auto const& card : cards) {
-            check_that_texts_fit(card);
-            check_that_texts_keep_apart(card);
-        }
+        for (auto const& card : cards) check_card(card);
     }
 }
 
@@ -124,8 +113,7 @@ TEST_CASE("what is asked for and what was reached have room in every language") 
     for (Language const language : {Language::english, Language::german}) {
         view::Wording const wording{language, view::key_text("Keypad Enter", language), "→"};
         auto const briefing = view::briefing_shapes(level, 1, least_size, view::Side::lower, wording);
-        check_that_texts_fit(briefing);
-        check_that_texts_keep_apart(briefing);
+        check_card(briefing);
         view::EndingNote note;
         note.language = language;
         note.best = 10;
@@ -139,9 +127,7 @@ TEST_CASE("what is asked for and what was reached have room in every language") 
                 moment.status.goal_time = 55.25;
                 moment.status.pulls = pulls;
                 moment.status.bananas = bananas;
-                auto const card = view::ending_shapes(level, moment, least_size, note);
-                check_that_texts_fit(card);
-                check_that_texts_keep_apart(card);
+                check_card(view::ending_shapes(level, moment, least_size, note));
             }
         moment.status = {};
         moment.status.fall_time = 55.25;

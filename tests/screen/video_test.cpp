@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "screen/film.h"
-#include "screen/folder.h"
+#include "support/folder.h"
 #include "screen/offscreen.h"
 #include "screen/samples.h"
 #include "screen/video.h"
@@ -35,20 +35,14 @@ std::string probed(fs::path const& file, std::string const& entry) {
 // PATH with another ffmpeg in it, for as long as it lives.
 class OtherFfmpeg {
 public:
-    explicit OtherFfmpeg(std::string const& script) : before_(std::getenv("PATH")) {
-        if (!script.empty()) {
-            std::ofstream(folder_ / "ffmpeg") << "#!/bin/sh\n" << script << "\n";
-            fs::permissions(folder_ / "ffmpeg", fs::perms::owner_all);
-        }
-        setenv("PATH", folder_.path().c_str(), 1);
+    explicit OtherFfmpeg(std::string const& script) {
+        if (!script.empty())
+            fs::permissions(folder_.file("ffmpeg", "#!/bin/sh\n" + script + "\n"), fs::perms::owner_all);
     }
-    ~OtherFfmpeg() { setenv("PATH", before_.c_str(), 1); }
-    OtherFfmpeg(OtherFfmpeg const&) = delete;
-    OtherFfmpeg& operator=(OtherFfmpeg const&) = delete;
 
 private:
-    Folder folder_;
-    std::string before_;
+    support::Folder folder_;
+    support::Variable path_{"PATH", folder_.path().string()};
 };
 
 screen::VideoSettings small() { return {64, 48, 30, 1, 18}; }
@@ -65,18 +59,18 @@ std::vector<screen::Pixels> moving(int count) {
     return frames;
 }
 
+void record(fs::path const& file, int frames, screen::VideoSettings const& settings = small()) {
+    auto const frame = grey();
+    Video video(file, settings);
+    for (int i = 0; i < frames; ++i) video.add(frame);
+    CHECK(video.frames() == frames);
+    video.finish();
+}
+
 // What is said when three frames are given to an ffmpeg that is the script.
 std::string complaint(std::string const& script, fs::path const& file) {
     OtherFfmpeg const other(script);
-    auto const frame = grey();
-    try {
-        Video video(file, small());
-        for (int i = 0; i < 3; ++i) video.add(frame);
-        video.finish();
-    } catch (std::runtime_error const& error) {
-        return error.what();
-    }
-    return "";
+    return support::message_of([&] { record(file, 3); });
 }
 
 bool has(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
@@ -96,13 +90,9 @@ TEST_CASE("grey has no chroma, white and black are the ends of the limited range
 }
 
 TEST_CASE("a video holds every frame, at its rate, with its colours told") {
-    Folder const folder;
-    auto const frame = grey();
+    support::Folder const folder;
     for (std::string const name : {"demo.mp4", "demo.mkv"}) {
-        Video video(folder / name, small());
-        for (int i = 0; i < 37; ++i) video.add(frame);
-        CHECK(video.frames() == 37);
-        video.finish();
+        record(folder / name, 37);
         CHECK(probed(folder / name, "nb_read_frames") == "37");
         CHECK(probed(folder / name, "r_frame_rate") == "30/1");
         CHECK(probed(folder / name, "width,height,pix_fmt") == "64,48,yuv420p");
@@ -113,7 +103,7 @@ TEST_CASE("a video holds every frame, at its rate, with its colours told") {
 }
 
 TEST_CASE("a player shows the colours that were painted") {
-    Folder const folder;
+    support::Folder const folder;
     for (view::Colour const colour :
          {view::Colour{0.30F, 0.62F, 0.95F, 1}, {0.9F, 0.2F, 0.1F, 1}, {0.2F, 0.6F, 0.2F, 1}}) {
         auto const frame = samples::painted(samples::plain(64, 48, colour));
@@ -135,16 +125,13 @@ TEST_CASE("a player shows the colours that were painted") {
 }
 
 TEST_CASE("a fraction of a frame a second is kept as it was given") {
-    Folder const folder;
-    Video video(folder / "a.mkv", {64, 48, 30000, 1001, 18});
-    auto const frame = grey();
-    for (int i = 0; i < 5; ++i) video.add(frame);
-    video.finish();
+    support::Folder const folder;
+    record(folder / "a.mkv", 5, {64, 48, 30000, 1001, 18});
     CHECK(probed(folder / "a.mkv", "r_frame_rate") == "30000/1001");
 }
 
 TEST_CASE("a missing ffmpeg is told, with the package that has it") {
-    Folder const folder;
+    support::Folder const folder;
     std::string const said = complaint("", folder / "demo.mp4");
     CHECK(has(said, "demo.mp4: ffmpeg cannot be started: No such file"));
     CHECK(has(said, "package ffmpeg"));
@@ -152,7 +139,7 @@ TEST_CASE("a missing ffmpeg is told, with the package that has it") {
 }
 
 TEST_CASE("an ffmpeg that fails at once is told in its own last words") {
-    Folder const folder;
+    support::Folder const folder;
     std::string const said =
         complaint("echo 'first words' >&2; echo \"Unknown encoder 'libx264'\" >&2; exit 1", folder / "demo.mp4");
     CHECK(has(said, "demo.mp4: ffmpeg ended with status 1: Unknown encoder 'libx264'"));
@@ -160,20 +147,20 @@ TEST_CASE("an ffmpeg that fails at once is told in its own last words") {
 }
 
 TEST_CASE("an ffmpeg that is killed is told with the signal") {
-    Folder const folder;
+    support::Folder const folder;
     CHECK(has(complaint("kill -9 $$", folder / "demo.mp4"), "ffmpeg was ended by signal 9"));
     CHECK_FALSE(fs::exists(folder / "demo.mp4"));
 }
 
 TEST_CASE("an ffmpeg that ends well but early is found out by counting") {
-    Folder const folder;
+    support::Folder const folder;
     CHECK(has(complaint("while read -r line; do :; done; echo frame=2", folder / "demo.mp4"), "wrote 2 of 3 frames"));
-    CHECK(complaint("exit 0", folder / "demo.mp4") != "");
+    CHECK(complaint("exit 0", folder / "demo.mp4") != "nothing was thrown");
     CHECK_FALSE(fs::exists(folder / "demo.mp4"));
 }
 
 TEST_CASE("what is whole of a film is counted, wherever it is cut") {
-    Folder const folder;
+    support::Folder const folder;
     for (std::string const name : {"a.mp4", "a.mkv"}) {
         CAPTURE(name);
         Video video(folder / name, small());
@@ -201,7 +188,7 @@ TEST_CASE("what is whole of a film is counted, wherever it is cut") {
 }
 
 TEST_CASE("what is no film has no frames") {
-    Folder const folder;
+    support::Folder const folder;
     for (std::string const name : {"a.mp4", "a.mkv"}) {
         CHECK(screen::film_in(folder / name).frames == 0);
         for (std::string const& bytes :
@@ -214,7 +201,7 @@ TEST_CASE("what is no film has no frames") {
 }
 
 TEST_CASE("an ffmpeg that says that all is well of a film that is cut is found out") {
-    Folder const folder;
+    support::Folder const folder;
     std::string const script =
         "PATH=/usr/local/bin:/usr/bin:/bin; for last; do :; done; ffmpeg \"$@\"; truncate -s -200 \"${last#file:}\"; "
         "exit 0";
@@ -225,23 +212,23 @@ TEST_CASE("an ffmpeg that says that all is well of a film that is cut is found o
 }
 
 TEST_CASE("a part that does not play is not left") {
-    Folder const folder;
+    support::Folder const folder;
     std::string const script = "for last; do :; done; printf 'no film' > \"${last#file:}\"; ";
     for (std::string const end : {"kill -9 $$", "exit 1", "exit 0"}) {
-        CHECK(complaint(script + end, folder / "demo.mp4") != "");
+        CHECK(complaint(script + end, folder / "demo.mp4") != "nothing was thrown");
         CHECK(folder.is_empty());
     }
 }
 
 TEST_CASE("an ffmpeg that talks without end does not block") {
-    Folder const folder;
+    support::Folder const folder;
     std::string const talk =
         "i=0; while [ $i -lt 3000 ]; do echo 'many words of warning, again and again' >&2; i=$((i+1)); done; exit 1";
     CHECK(has(complaint(talk, folder / "demo.mp4"), "again and again"));
 }
 
 TEST_CASE("a video that is cut short plays as far as it goes") {
-    Folder const folder;
+    support::Folder const folder;
     auto const frame = grey();
     {
         Video video(folder / "demo.mp4", small());
@@ -252,18 +239,15 @@ TEST_CASE("a video that is cut short plays as far as it goes") {
 }
 
 TEST_CASE("a video without a frame leaves no part behind") {
-    Folder const folder;
+    support::Folder const folder;
     { Video const video(folder / "demo.mp4", small()); }
     CHECK(folder.is_empty());
 }
 
 TEST_CASE("a folder that is not there is told, and so are odd sizes and unknown endings") {
-    Folder const folder;
-    auto const frame = grey();
+    support::Folder const folder;
     auto const attempt = [&](std::string const& name, screen::VideoSettings const& settings) {
-        Video video(folder / name, settings);
-        video.add(frame);
-        video.finish();
+        record(folder / name, 1, settings);
     };
     CHECK_THROWS_WITH_AS(attempt("none/a.mp4", small()), doctest::Contains("No such file"), std::runtime_error);
     CHECK_THROWS_WITH_AS(attempt("a.avi", small()), doctest::Contains("a.avi: a video's name must end in"),
@@ -273,8 +257,8 @@ TEST_CASE("a folder that is not there is told, and so are odd sizes and unknown 
 }
 
 TEST_CASE("a broken pipe leaves the program's own signal handling alone") {
-    Folder const folder;
-    CHECK(complaint("exit 1", folder / "a.mp4") != "");
+    support::Folder const folder;
+    CHECK(complaint("exit 1", folder / "a.mp4") != "nothing was thrown");
     struct sigaction action {};
     sigaction(SIGPIPE, nullptr, &action);
     CHECK((action.sa_handler == SIG_DFL));

@@ -1,25 +1,16 @@
 // Which terrain is earth and which is a hole in it.
 #include <doctest/doctest.h>
 
-#include "geometry/elementary.h"
+#include "stages.h"
 #include "view/bodies.h"
 
 namespace {
 
-using geometry::Vec2;
+using namespace view_test;
 
-level::Outline circle(Vec2 const& centre, double radius) {
-    return {{geometry::Arc{centre, radius, 0, 2 * geometry::pi}}, true};
-}
+level::Outline circle(Vec2 const& centre, double radius) { return {{geometry::Arc{centre, radius, 0, 2 * pi}}, true}; }
 
-level::Outline block(Vec2 const& low, Vec2 const& high) {
-    Vec2 const corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-    level::Outline outline{{}, true};
-    for (int i = 0; i < 4; ++i) outline.curves.push_back(geometry::Segment{corners[i], corners[(i + 1) % 4]});
-    return outline;
-}
-
-level::Level level_with(std::vector<level::Outline> outlines) {
+level::Level drawn_with(std::vector<level::Outline> outlines) {
     level::Level level;
     level.size = {160, 90};
     level.outlines = std::move(outlines);
@@ -48,7 +39,7 @@ TEST_CASE("rings in rings are earth and hole by turns, however many there are an
         std::vector<level::Outline> outlines;
         for (int i = 0; i < rings; ++i)
             for (double const x : {40.0, 120.0}) outlines.push_back(circle({x, 45}, outwards ? 1 + i : rings - i));
-        Count const count = counted(level_with(outlines));
+        Count const count = counted(drawn_with(outlines));
         CHECK(count.solids == rings);
         CHECK(count.holes == rings);
         CHECK(count.rings == std::vector<std::size_t>(rings, 2));  // itself and the hole within
@@ -56,7 +47,7 @@ TEST_CASE("rings in rings are earth and hole by turns, however many there are an
 }
 
 TEST_CASE("blocks that cross or stand side by side are no holes in each other") {
-    Count const count = counted(level_with({block({0, 0}, {10, 2}), block({8, 1}, {9, 7}), block({20, 0}, {30, 2}),
+    Count const count = counted(drawn_with({block({0, 0}, {10, 2}), block({8, 1}, {9, 7}), block({20, 0}, {30, 2}),
                                             block({21, 0.5}, {29, 1.5}), block({22, 5}, {23, 6})}));
     CHECK(count.solids == 4);
     CHECK(count.holes == 1);
@@ -66,7 +57,7 @@ TEST_CASE("blocks that cross or stand side by side are no holes in each other") 
 TEST_CASE("a solid with many holes holds them all") {
     std::vector<level::Outline> outlines = {block({0, 0}, {100, 80})};
     for (int i = 0; i < 25; ++i) outlines.push_back(block({4.0 * i, 10}, {4.0 * i + 2, 12 + 0.1 * i}));
-    Count const count = counted(level_with(outlines));
+    Count const count = counted(drawn_with(outlines));
     CHECK(count.rings == std::vector<std::size_t>{26});
     CHECK(count.holes == 25);
 }

@@ -23,20 +23,11 @@ struct Worst {
 };
 Worst worst_of(std::vector<view::Shape> const& shapes) {
     Worst worst;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        auto const* label = std::get_if<view::Label>(&shapes[i]);
-        if (!label) continue;
-        for (std::size_t j = i; j-- > 0;) {
-            auto const* panel = std::get_if<view::Panel>(&shapes[j]);
-            if (!panel || !(label->at.x() >= panel->corner.x() && label->at.y() >= panel->corner.y() &&
-                            label->at.x() <= panel->corner.x() + panel->size.x() &&
-                            label->at.y() <= panel->corner.y() + panel->size.y()))
-                continue;
-            CHECK(panel->colour.alpha == 1);
-            worst.ratio = std::min(worst.ratio, view::contrast_ratio(label->colour, panel->colour));
-            ++worst.labels;
-            break;
-        }
+    for (view_test::Letters const& letters : view_test::letters_of(shapes)) {
+        if (!letters.plate) continue;
+        CHECK(letters.plate->colour.alpha == 1);
+        worst.ratio = std::min(worst.ratio, view::contrast_ratio(letters.label.colour, letters.plate->colour));
+        ++worst.labels;
     }
     return worst;
 }
@@ -52,13 +43,11 @@ Pattern pattern_of(physics::Material const& material) {
     view::Camera camera;
     camera.centre = {5, 2};
     Pattern pattern;
-    for (view::Shape const& shape : view::terrain_outlines(physics::terrain_of(pieces), camera)) {
-        pattern.discs += std::holds_alternative<view::Disc>(shape) ? 1 : 0;
-        auto const* stroke = std::get_if<view::Stroke>(&shape);
-        if (!stroke) continue;
-        ++pattern.strokes;
-        pattern.length += std::round((stroke->to - stroke->from).norm());
-    }
+    auto const shapes = view::terrain_outlines(physics::terrain_of(pieces), camera);
+    pattern.discs = view_test::count_of<view::Disc>(shapes);
+    pattern.strokes = view_test::count_of<view::Stroke>(shapes);
+    for (view::Stroke const& stroke : view_test::all_of<view::Stroke>(shapes))
+        pattern.length += std::round((stroke.to - stroke.from).norm());
     return pattern;
 }
 
@@ -73,12 +62,10 @@ TEST_CASE("in high contrast a name that a colour joins to a thing keeps its hue,
     auto const worst = worst_of(shapes);
     CHECK(worst.labels == 2);
     CHECK(worst.ratio >= readable);
-    std::vector<Colour> letters;
-    for (view::Shape const& shape : shapes)
-        if (auto const* label = std::get_if<view::Label>(&shape)) letters.push_back(label->colour);
-    CHECK(letters.at(0).red > letters.at(0).green);
-    CHECK(letters.at(0).green > letters.at(0).blue);
-    CHECK(letters.at(1).red == 0.1F);  // that could be read before
+    auto const letters = view_test::all_of<view::Label>(shapes);
+    CHECK(letters.at(0).colour.red > letters.at(0).colour.green);
+    CHECK(letters.at(0).colour.green > letters.at(0).colour.blue);
+    CHECK(letters.at(1).colour.red == 0.1F);  // that could be read before
 }
 
 TEST_CASE("the contrast of two colours is that of WCAG 2.1") {

@@ -50,9 +50,10 @@ TEST_CASE("where motion is reduced nothing falls from the sky, and the card stan
     auto const late = view::ending_shapes(level, won(2), {1280, 720}, note);
     CHECK(full > view_test::count_of<view::Stroke>(early));
     REQUIRE(early.size() == late.size());
-    for (std::size_t i = 0; i < early.size(); ++i)
-        if (auto const* label = std::get_if<view::Label>(&early[i])) {
-            CHECK(label->height == std::get<view::Label>(late[i]).height);
-            CHECK(label->colour.alpha == std::get<view::Label>(late[i]).colour.alpha);
-        }
+    auto const before = view_test::all_of<view::Label>(early), after = view_test::all_of<view::Label>(late);
+    REQUIRE(before.size() == after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK(before[i].height == after[i].height);
+        CHECK(before[i].colour.alpha == after[i].colour.alpha);
+    }
 }

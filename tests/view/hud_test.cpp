@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "stages.h"
 #include "view/hud.h"
 
 using view::Vec2;
@@ -15,11 +16,10 @@ struct Rows {
 // Of the plates, but for one as large as the picture.
 Rows rows_of(std::vector<view::Shape> const& shapes, Vec2 const& size) {
     Rows rows;
-    for (view::Shape const& shape : shapes) {
-        auto const* panel = std::get_if<view::Panel>(&shape);
-        if (!panel || panel->size == size) continue;
-        rows.top = std::min(rows.top, panel->corner.y());
-        rows.bottom = std::max(rows.bottom, panel->corner.y() + panel->size.y());
+    for (view::Panel const& panel : view_test::all_of<view::Panel>(shapes)) {
+        if (panel.size == size) continue;
+        rows.top = std::min(rows.top, panel.corner.y());
+        rows.bottom = std::max(rows.bottom, panel.corner.y() + panel.size.y());
     }
     return rows;
 }

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "stages.h"
+
 using view::Vec2;
 
 TEST_CASE("every row of a card is found at its place, down the columns, and none beside them") {
@@ -62,10 +64,8 @@ TEST_CASE("the chosen row looks otherwise than the others") {
     };
     auto const gold_at = [](std::vector<view::Shape> const& all) {
         double y = -1;
-        for (view::Shape const& shape : all)
-            if (auto const* panel = std::get_if<view::Panel>(&shape);
-                panel && panel->colour.red > 0.9f && panel->colour.blue < 0.3f)
-                y = panel->corner.y();
+        for (view::Panel const& panel : view_test::all_of<view::Panel>(all))
+            if (panel.colour.red > 0.9f && panel.colour.blue < 0.3f) y = panel.corner.y();
         return y;
     };
     CHECK(gold_at(shapes(0)) > 0);

@@ -8,10 +8,7 @@ using namespace view_test;
 
 TEST_CASE("the figures are those of the article") {
     level::Level const level = floor_level(16, 9);
-    physics::State state;
-    state.position = Vec2(5, 1.5);
-    state.velocity = Vec2(3, -2);
-    view::Moment const moment = view::moment_at(level, steady_history(state), 0);
+    view::Moment const moment = view::moment_at(level, steady_history({{5, 1.5}, {3, -2}, 0, 0}), 0);
     auto const figures = view::figures_of(level, moment, 0);
     REQUIRE(figures);
     // n = (0, 1): t = v - (v.n) n = (3, 0), L = v ^ n = 3 * 1 - (-2) * 0 = 3, theta = L / r = 3 / 0.5.
@@ -24,22 +21,14 @@ TEST_CASE("the figures are those of the article") {
 
 TEST_CASE("high above the ground there are no figures") {
     level::Level const level = floor_level(16, 9);
-    physics::State state;
-    state.position = Vec2(5, 7);
-    CHECK(!view::figures_of(level, view::moment_at(level, steady_history(state), 0), 0));
+    CHECK(!view::figures_of(level, view::moment_at(level, resting_history({5, 7}), 0), 0));
 }
 
 TEST_CASE("energy is that of motion, rotation, height and spring") {
     level::Level level = floor_level(16, 9);
     level.scene.balls[0].mass = 2;
     level.scene.drag.frequency = 1;
-    physics::State state;
-    state.position = Vec2(5, 3);
-    state.velocity = Vec2(3, 4);
-    state.spin = 6;
-    physics::Forces forces;
-    forces.pull = physics::Pull{0, Vec2(5, 3.5)};
-    view::Energy const energy = view::energy_of(level, {state}, forces);
+    view::Energy const energy = view::energy_of(level, {{{5, 3}, {3, 4}, 0, 6}}, {0, physics::Pull{0, {5, 3.5}}});
     CHECK(energy.motion == doctest::Approx(2 * 25 / 2.0));
     // I = k m r^2 = 0.5 * 2 * 0.25, and I w^2 / 2 = 0.25 * 36 / 2.
     CHECK(energy.rotation == doctest::Approx(4.5));
@@ -51,8 +40,7 @@ TEST_CASE("energy is that of motion, rotation, height and spring") {
 TEST_CASE("the curve of energies is that of the last two seconds, however much more of the past is known") {
     level::Level level = floor_level(16, 9);
     level.scene.balls[0].start.position = Vec2(5, 6);
-    auto const shared = std::make_shared<level::Level const>(level);
-    game::Session session = game::session_of(shared, physics::Exact{});
+    game::Session session = session_of(level);
     game::advance(session, 5);
     view::Recall const recall = view::recall_for({false, false, true});
     view::Moment const all = view::moment_of(session, 4, recall);
@@ -85,19 +73,14 @@ TEST_CASE("a list of overlays is read word by word") {
 TEST_CASE("names of figures and forces do not lie on each other as a ball that is pulled sets out") {
     level::Level level = floor_level(16, 9);
     level.scene.drag.frequency = 0.4;
-    physics::State state;
-    state.position = Vec2(5, 1.5);
     for (double const speed : {0.5, 1.0, 1.5, 2.0, 3.0}) {
         CAPTURE(speed);
-        state.velocity = Vec2(speed, 0);
-        view::Moment moment = view::moment_at(level, steady_history(state), 0.1);
+        view::Moment moment = view::moment_at(level, steady_history({{5, 1.5}, {speed, 0}, 0, 0}), 0.1);
         moment.forces.pull = physics::Pull{0, moment.balls[0].position + Vec2(1, 0.4)};
         view::Camera camera;
         auto const shapes = view::overlay_shapes(level, moment, camera, {true, true, false});
-        std::vector<view::Panel> names;
-        for (view::Shape const& shape : shapes)
-            if (auto const* panel = std::get_if<view::Panel>(&shape); panel && panel->size.y() == 20)
-                names.push_back(*panel);
+        std::vector<view::Panel> names = all_of<view::Panel>(shapes);
+        std::erase_if(names, [](view::Panel const& panel) { return panel.size.y() != 20; });
         REQUIRE(names.size() >= 5);
         for (std::size_t i = 0; i < names.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {

@@ -12,18 +12,11 @@ using namespace view_test;
 
 namespace {
 
-physics::State rolling_state() {
-    physics::State state;
-    state.position = Vec2(6, 1.5);
-    state.velocity = Vec2(2, 0);
-    state.angle = 0.7;
-    state.spin = -4;
-    return state;
-}
+physics::State const rolling_state{{6, 1.5}, {2, 0}, 0.7, -4};
 
 view::Picture picture_at(level::Level const& level, double time, view::Moment const& more = {}) {
     view::Stage const stage = view::stage_of(std::make_shared<level::Level const>(level));
-    physics::History const history = steady_history(rolling_state());
+    physics::History const history = steady_history(rolling_state);
     view::Moment moment = view::moment_at(level, history, time);
     moment.forces = more.forces;
     moment.status = more.status;
@@ -31,12 +24,7 @@ view::Picture picture_at(level::Level const& level, double time, view::Moment co
     return view::picture_of(stage, moment, view::camera_at(level, history, time, Vec2(1280, 720)));
 }
 
-view::Shell shell_in(view::Picture const& picture) {
-    for (view::Shape const& shape : picture.shapes)
-        if (auto const* shell = std::get_if<view::Shell>(&shape)) return *shell;
-    FAIL("there is no ball in the picture");
-    return {};
-}
+view::Shell shell_in(view::Picture const& picture) { return all_of<view::Shell>(picture.shapes).at(0); }
 
 // 16 m x 9 m on 1280 x 720: 80 pixels to the metre, the world's origin at the lower left corner.
 Vec2 pixel(double x, double y) { return {80 * x, 720 - 80 * y}; }
@@ -56,7 +44,7 @@ TEST_CASE("the ball is drawn where it is and as it is turned") {
 
 TEST_CASE("ghosts lie behind the balls") {
     view::Stage const stage = view::stage_of(std::make_shared<level::Level const>(floor_level(16, 9)));
-    physics::History const history = steady_history(rolling_state());
+    physics::History const history = steady_history(rolling_state);
     view::Moment const moment = view::moment_at(*stage.level, history, 0.25);
     view::Camera const camera = view::camera_at(*stage.level, history, 0.25, Vec2(1280, 720));
     view::Dressing dressing;
@@ -75,7 +63,7 @@ TEST_CASE("ghosts lie behind the balls") {
 
 TEST_CASE("under a page the heading stays, and the card at the end is not there") {
     view::Stage const stage = view::stage_of(std::make_shared<level::Level const>(floor_level(16, 9)));
-    physics::History const history = steady_history(rolling_state());
+    physics::History const history = steady_history(rolling_state);
     view::Camera const camera = view::camera_at(*stage.level, history, 0.25, Vec2(1280, 720));
     auto const panels = [&](view::Lettering lettering, bool is_over) {
         view::Moment moment = view::moment_at(*stage.level, history, 0.25);
@@ -98,11 +86,9 @@ TEST_CASE("a spring from the ball to the pointer is drawn while it is pulled, an
     int const coil = count_of<view::Stroke>(with.shapes) - count_of<view::Stroke>(without.shapes);
     CHECK(coil > 20);
     bool at_ball = false, at_pointer = false;
-    for (view::Shape const& shape : with.shapes) {
-        auto const* stroke = std::get_if<view::Stroke>(&shape);
-        if (!stroke) continue;
-        at_ball = at_ball || geometry::length(stroke->from - pixel(6, 1.5)) < 1e-9;
-        at_pointer = at_pointer || geometry::length(stroke->to - pixel(9, 4)) < 1e-9;
+    for (view::Stroke const& stroke : all_of<view::Stroke>(with.shapes)) {
+        at_ball = at_ball || geometry::length(stroke.from - pixel(6, 1.5)) < 1e-9;
+        at_pointer = at_pointer || geometry::length(stroke.to - pixel(9, 4)) < 1e-9;
     }
     CHECK(at_ball);
     CHECK(at_pointer);
@@ -110,10 +96,9 @@ TEST_CASE("a spring from the ball to the pointer is drawn while it is pulled, an
 
 TEST_CASE("a spring without length is drawn without a number that is not finite") {
     view::Moment pulled;
-    pulled.forces.pull = physics::Pull{0, rolling_state().position};
-    for (view::Shape const& shape : picture_at(floor_level(16, 9), 0, pulled).shapes)
-        if (auto const* stroke = std::get_if<view::Stroke>(&shape))
-            CHECK((geometry::is_finite(stroke->from) && geometry::is_finite(stroke->to)));
+    pulled.forces.pull = physics::Pull{0, rolling_state.position};
+    for (view::Stroke const& stroke : all_of<view::Stroke>(picture_at(floor_level(16, 9), 0, pulled).shapes))
+        CHECK((geometry::is_finite(stroke.from) && geometry::is_finite(stroke.to)));
 }
 
 TEST_CASE("equal times give equal backdrops and keys, in a level shown whole all times do") {
@@ -145,15 +130,8 @@ TEST_CASE("the ground's edge lies on the terrain, its earth on the side away fro
 }
 
 TEST_CASE("a closed outline around the play is a wall, one without is solid") {
-    auto const square = [](double low, double high) {
-        level::Outline outline;
-        Vec2 const corners[] = {{low, low}, {high, low}, {high, high}, {low, high}};
-        for (int i = 0; i < 4; ++i) outline.curves.push_back(geometry::Segment{corners[i], corners[(i + 1) % 4]});
-        outline.closed = true;
-        return outline;
-    };
     level::Level level = floor_level(16, 9);
-    level.outlines = {square(0.5, 8.5), square(4, 5)};
+    level.outlines = {block({0.5, 0.5}, {8.5, 8.5}), block({4, 4}, {5, 5})};
     level.scene.balls[0].start.position = Vec2(2, 2);
     auto const earth_at = [&](Vec2 const& point) {
         int layers = 0;
@@ -175,12 +153,8 @@ TEST_CASE("the ground in sight is what the whole ground has there, in its order"
     level::Level level = floor_level(16, 9);
     level.outlines.clear();
     for (int i = 0; i < 40; ++i) {
-        level::Outline brick;
         Vec2 const low(0.3 + i % 8 * 2, 0.3 + i / 8 * 1.8);
-        Vec2 const corners[] = {low, low + Vec2(1, 0), low + Vec2(1, 0.6), low + Vec2(0, 0.6)};
-        for (int k = 0; k < 4; ++k) brick.curves.push_back(geometry::Segment{corners[k], corners[(k + 1) % 4]});
-        brick.closed = true;
-        level.outlines.push_back(brick);
+        level.outlines.push_back(block(low, low + Vec2(1, 0.6)));
     }
     geometry::Box const sight{Vec2(4, 2), Vec2(9, 6)};
     view::Ground const whole = view::ground_of(level);

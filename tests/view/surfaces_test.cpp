@@ -13,21 +13,13 @@ using namespace view_test;
 
 namespace {
 
-level::Level level_of(physics::Material const& material) {
-    level::Level level = floor_level(16, 9);
-    std::vector<physics::Piece> pieces = level.scene.terrain.pieces;
-    for (physics::Piece& piece : pieces) piece.material = material;
-    level.scene.terrain = physics::terrain_of(pieces);
-    return level;
-}
+level::Level level_of(physics::Material const& material) { return floor_level(16, 9, material); }
 
 std::set<view::Sign> signs_of(physics::Material const& material) {
     std::set<view::Sign> signs;
     for (view::Mark const& mark : view::ground_of(level_of(material)).marks) signs.insert(mark.sign);
     return signs;
 }
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -36,7 +28,7 @@ TEST_CASE("ice, mud, full grip and rubber have signs of their own, and usual gro
     CHECK(signs_of({0.9, 0, 0}).empty());
     CHECK(signs_of({0.02, 0, 0}) == std::set{Sign::glint, Sign::sheen});
     CHECK(signs_of({0.9, 0, 0.1}) == std::set{Sign::drop});
-    CHECK(signs_of({infinity, 0, 0}) == std::set{Sign::stud});
+    CHECK(signs_of({full_grip, 0, 0}) == std::set{Sign::stud});
     CHECK(signs_of({0.9, 0.9, 0}) == std::set{Sign::coil});
     CHECK(signs_of({0.02, 0.9, 0}) == std::set{Sign::glint, Sign::sheen, Sign::coil});
     CHECK(!view::ground_of(level_of({0.9, 0, 0})).tufts.empty());
@@ -45,7 +37,7 @@ TEST_CASE("ice, mud, full grip and rubber have signs of their own, and usual gro
 
 TEST_CASE("signs lie along the edge, in the ground") {
     for (physics::Material const& material :
-         {physics::Material{0.02, 0, 0}, {0.9, 0, 0.1}, {infinity, 0, 0}, {0.9, 0.9, 0}}) {
+         {physics::Material{0.02, 0, 0}, {0.9, 0, 0.1}, {full_grip, 0, 0}, {0.9, 0.9, 0}}) {
         view::Ground const ground = view::ground_of(level_of(material));
         double least = 16, most = 0;
         for (view::Mark const& mark : ground.marks)
@@ -61,12 +53,8 @@ TEST_CASE("signs lie along the edge, in the ground") {
 }
 
 TEST_CASE("only the stretch that is icy is shown so") {
-    level::Level level;
-    level.size = Vec2(16, 9);
+    level::Level level = level_with({disc_at({2, 1.5})});
     level.surface_names = {"floor", "ice"};
-    physics::Ball ball;
-    ball.start.position = Vec2(2, 1.5);
-    level.scene.balls = {ball};
     level::Outline const left = straight({0, 1}, {6, 1}), right = straight({6, 1}, {16, 1});
     level.outlines = {left, right};
     level.scene.terrain =
@@ -88,20 +76,18 @@ TEST_CASE("a look that the drawing gives is left alone") {
 TEST_CASE("a fill that fades goes down the world, however the picture is turned") {
     level::Level level = floor_level(16, 9);
     level::Decoration pit;
-    pit.outlines = {{{geometry::Segment{{1, 1}, {9, 1}}, geometry::Segment{{9, 1}, {9, 8}},
-                      geometry::Segment{{9, 8}, {1, 8}}, geometry::Segment{{1, 8}, {1, 1}}},
-                     true}};
+    pit.outlines = {block({1, 1}, {9, 8})};
     pit.fill = "#808080";
     pit.fade = level::Fade{"#ff0000", "#0000ff", 0, 0.5, 7, 3};
     level.decorations.push_back(pit);
     for (Vec2 const& right : {Vec2(1, 0), Vec2(0.8, 0.6)}) {
         view::Camera const camera{Vec2(8, 4.5), 80, Vec2(1280, 720), right};
         int met = 0;
-        for (view::Shape const& shape : view::backdrop_shapes(level, view::ground_of(level), camera)) {
-            auto const* area = std::get_if<view::Area>(&shape);
-            if (!area || area->paint.bottom.alpha != 0.5f) continue;
+        for (view::Area const& area :
+             all_of<view::Area>(view::backdrop_shapes(level, view::ground_of(level), camera))) {
+            view::Paint const& paint = area.paint;
+            if (paint.bottom.alpha != 0.5f) continue;
             ++met;
-            view::Paint const& paint = area->paint;
             CHECK(paint.top.red == 1);
             CHECK(paint.top.alpha == 0);
             CHECK(paint.bottom.blue == 1);

@@ -23,7 +23,8 @@ TEST_CASE("the moment under a pixel is the one whose knob would stand there") {
     CHECK(view::time_at(timeline, Vec2(-50, 712), Vec2(1280, 720)) == 10);
     CHECK(view::time_at(timeline, Vec2(2000, 712), Vec2(1280, 720)) == 30);
     CHECK(view::is_on_timeline(Vec2(600, 712), Vec2(1280, 720)));
-    CHECK(view::is_on_timeline(Vec2(600, 690), Vec2(1280, 720)));  // a press that just misses would begin anew after a fall
+    CHECK(view::is_on_timeline(Vec2(600, 690),
+                               Vec2(1280, 720)));  // a press that just misses would begin anew after a fall
     CHECK_FALSE(view::is_on_timeline(Vec2(600, 680), Vec2(1280, 720)));
     CHECK(view::is_on_timeline(Vec2(600, 2060), Vec2(3840, 2160)));
     CHECK_FALSE(view::is_on_timeline(Vec2(600, 600), Vec2(1280, 720)));
@@ -40,13 +41,8 @@ TEST_CASE("the knob of the timeline stands where the shown time lies in what is 
 TEST_CASE("marks of the timeline have shapes of their own, whatever their colours") {
     auto const counts = [](view::Timeline::Sign sign) {
         view::Timeline timeline{0, 5, 10, {{3, {}, sign}}, {}};
-        std::array<int, 3> kinds{};
-        for (view::Shape const& shape : view::timeline_shapes(timeline, {1280, 720})) {
-            kinds[0] += std::holds_alternative<view::Disc>(shape) ? 1 : 0;
-            kinds[1] += std::holds_alternative<view::Stroke>(shape) ? 1 : 0;
-            kinds[2] += std::holds_alternative<view::Area>(shape) ? 1 : 0;
-        }
-        return kinds;
+        auto const shapes = view::timeline_shapes(timeline, {1280, 720});
+        return std::array{count_of<view::Disc>(shapes), count_of<view::Stroke>(shapes), count_of<view::Area>(shapes)};
     };
     auto const dot = counts(view::Timeline::Sign::dot), flag = counts(view::Timeline::Sign::flag),
                cross = counts(view::Timeline::Sign::cross);

@@ -12,12 +12,7 @@ namespace {
 // Multiples of the spacing are rounded once.
 constexpr double foresight_rounding = 1e-9;
 
-physics::History steady() {
-    physics::State start;
-    start.position = Vec2(1, 5);
-    start.velocity = Vec2(4, 0);
-    return steady_history(start);
-}
+physics::History steady() { return steady_history({{1, 5}, {4, 0}, 0, 0}); }
 
 }  // namespace
 
@@ -43,8 +38,7 @@ TEST_CASE("a foresight reaches its horizon, and not beyond") {
 TEST_CASE("a ball that falls is foreseen to touch where its rim meets the floor") {
     level::Level level = floor_level(16, 9);
     level.scene.balls[0].start.position = Vec2(8, 1.5 + 9.81 / 2 * 0.25);
-    physics::History begun;
-    physics::World const world = physics::world_at_start(physics::Exact{}, level.scene, begun);
+    physics::World const world = Run(physics::Exact{}, level.scene).world;
     physics::History const coming = physics::predicted(physics::Exact{}, level.scene, world, 1);
     view::TrajectoryPreview const preview = view::trajectory_preview(coming, level.scene, 0, 0, 1);
     REQUIRE(preview.touches.size() == 1);
@@ -54,9 +48,7 @@ TEST_CASE("a ball that falls is foreseen to touch where its rim meets the floor"
 
 TEST_CASE("a ball at rest leaves no dots") {
     level::Level const level = floor_level(16, 9);
-    physics::State start;
-    start.position = Vec2(8, 1.5);
-    view::TrajectoryPreview const preview = view::trajectory_preview(steady_history(start), level.scene, 0, 0, 1);
+    view::TrajectoryPreview const preview = view::trajectory_preview(resting_history({8, 1.5}), level.scene, 0, 0, 1);
     CHECK(preview.dots.empty());
     CHECK(preview.touches.empty());
     CHECK(view::trajectory_shapes(preview, {}).empty());
