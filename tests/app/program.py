@@ -110,6 +110,27 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(result.returncode, status, (words, result.stderr))
         return result
 
+    def assert_ends(self, process, status, says=""):
+        """With the status and one line on stderr, which is returned."""
+        _, stderr = process.communicate(timeout=PATIENCE)
+        self.assert_one_line(stderr, says)
+        self.assertEqual(process.returncode, status, stderr)
+        return stderr.decode()
+
+    def assert_interrupted(self, process, says=""):
+        process.send_signal(signal.SIGINT)
+        self.assert_ends(process, 130, says)
+
+    def probed(self, film, entries, *options):
+        """What ffprobe says of a film's streams, word by word in its own order."""
+        return subprocess.run(["ffprobe", "-v", "error", *options, "-show_entries", f"stream={entries}", "-of",
+                               "default=nokey=1:noprint_wrappers=1", self.folder / film], stdout=subprocess.PIPE,
+                              check=True).stdout.decode().split()
+
+    def frames_in(self, film):
+        """Counted by decoding them."""
+        return int(self.probed(film, "nb_read_frames", "-count_frames", "-select_streams", "v")[0])
+
     def assert_one_line(self, stderr, says=""):
         text = stderr.decode()
         self.assertEqual(text.count("\n"), 1, text)

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """A tolerance is kept where it can be promised; else it is said to be an estimate, measured, and a miss is a failure."""
 
-import unittest
-
-from program import ProgramTest
+from program import ProgramTest, main
 
 FLOOR = '<path class="terrain" d="M0 8H16M0 8V0M16 8V0"/>'
 
@@ -71,4 +69,4 @@ class ToleranceTest(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

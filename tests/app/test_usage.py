@@ -160,9 +160,7 @@ class Usage(ProgramTest):
             process.stdout.read(100)
             process.stdout.close()
             process.stdout = None
-            _, stderr = process.communicate(timeout=100)
-            self.assert_one_line(stderr)
-            self.assertEqual(process.returncode, 1)
+            self.assert_ends(process, 1)
 
     def test_levels_lists_what_ships_from_wherever_it_is_started(self):
         lines = self.done("levels").decode().splitlines()

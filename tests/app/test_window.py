@@ -197,16 +197,13 @@ class Window(ProgramTest):
         files = files or [self.file("floor.svg", LEVEL.format(""))]
         self.play(*files, renderer=renderer)
 
-    def play(self, *files, renderer="software", **changes):
+    def play(self, *files, renderer="software", size=f"{WIDTH}x{HEIGHT}", **changes):
         """Files, and options; without files, the title."""
-        self.game = self.start("play", *files, "--renderer", renderer, "--size", f"{WIDTH}x{HEIGHT}",
+        self.game = self.start("play", *files, "--renderer", renderer, "--size", size,
                                changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11", "LC_ALL": "C", **changes})
-        self.wait_for_window()
-        until(self.is_painted, "the first picture", self.game)
-
-    def wait_for_window(self):
         window, self.place = until(lambda: self.display.window_of(self.game), "the window", self.game)
         self.window = str(window)
+        until(self.is_painted, "the first picture", self.game)
 
     def is_painted(self):
         left, top, width, height = self.place
@@ -240,14 +237,26 @@ class Window(ProgramTest):
     def move_to(self, place):
         self.pointer("mousemove", "--window", self.window, *on_screen(place))
 
+    def press_at(self, place):
+        self.move_to(place)
+        self.pointer("mousedown", 1)
+
+    def drag(self, start, end):
+        self.press_at(start)
+        self.move_to(end)
+        self.pointer("mouseup", 1)
+
+    def click(self, x, y):
+        """Pixels."""
+        self.pointer("mousemove", "--window", self.window, round(x), round(y), "click", 1)
+
     def differs(self, before, place):
         now = self.patch(place)
         return sum(a != b for a, b in zip(before, now)) > len(before) / 2
 
     def drag_the_ball(self):
         air = self.patch(TARGET)
-        self.move_to(START)
-        self.pointer("mousedown", 1)
+        self.press_at(START)
         for step in range(1, 11):
             self.move_to(tuple(a + (b - a) * step / 10 for a, b in zip(START, TARGET)))
         until(lambda: self.differs(air, TARGET), "the ball to be seen at the pointer", self.game)
@@ -257,8 +266,8 @@ class Window(ProgramTest):
     def press_key(self, key):
         self.pointer("key", "--window", self.window, key)
 
-    def save(self):
-        self.press_key("F5")
+    def save(self, key="F5"):
+        self.press_key(key)
         return until(lambda: [path for path in (self.folder / "data").rglob("*.json")
                               if b'"final"' in path.read_bytes()], "the saved run", self.game)[0]
 
@@ -273,14 +282,28 @@ class Window(ProgramTest):
         self.game.send_signal(signal.SIGTERM)
         self.game.wait(timeout=PATIENCE)
 
+    def last_words(self, status):
+        """Of a game that ends with the status."""
+        _, stderr = self.game.communicate(timeout=PATIENCE)
+        self.assertEqual(self.game.returncode, status, stderr)
+        return stderr
+
     def trace(self, run, *words):
         return list(csv.DictReader(io.StringIO(self.done("simulate", run, *words).decode())))
 
+    def times_of(self, kind, run):
+        return [float(event["t"]) for event in self.trace(run, "--events") if event["event"] == kind]
+
+    def assert_grabs(self, run, count):
+        """So many, and as many releases."""
+        self.assertEqual([len(self.times_of(kind, run)) for kind in ("grab", "release")], [count, count])
+
+    def assert_true(self, run):
+        verified = self.smb2d("verify", run)
+        self.assertEqual((verified.returncode, verified.stderr), (0, b""), verified.stdout)
+
     def check_that_the_ball_followed(self, run):
-        events = self.trace(run, "--events")
-        kinds = [event["event"] for event in events]
-        self.assertEqual((kinds.count("grab"), kinds.count("release")), (1, 1))
-        grabbed, released = (next(float(e["t"]) for e in events if e["event"] == kind) for kind in ("grab", "release"))
+        (grabbed,), (released,) = (self.times_of(kind, run) for kind in ("grab", "release"))
         self.assertLess(grabbed, released)
         rows = [row for row in self.trace(run) if row["ball"] == "0"]
         at = lambda time: max((row for row in rows if float(row["t"]) <= time), key=lambda row: float(row["t"]))
@@ -291,8 +314,7 @@ class Window(ProgramTest):
 
     def check_the_run(self, run):
         self.check_that_the_ball_followed(run)
-        verified = self.smb2d("verify", run)
-        self.assertEqual((verified.returncode, verified.stderr), (0, b""), verified.stdout)
+        self.assert_true(run)
 
     def test_the_ball_is_dragged_seen_saved_and_verified_by_a_graphics_card(self):
         self.open("gl")
@@ -335,13 +357,8 @@ class Window(ProgramTest):
         before = self.patch(edge)
         self.pointer("keydown", "Right")
         until(lambda: self.differs(before, edge), "the picture to turn", self.game)
-        self.move_to(ball)
-        self.pointer("mousedown", 1)
-        self.move_to((ball[0] + 1, ball[1]))  # a metre to the right on the screen
-        self.pointer("mouseup", 1)
-        run = self.save()
-        self.close()
-        inputs = self.inputs(run)
+        self.drag(ball, (ball[0] + 1, ball[1]))  # a metre to the right on the screen
+        inputs = self.so_far()["inputs"]
         tilts = [(0, 0)] + [(i["t"], i["tilt"]) for i in inputs if "tilt" in i]
 
         def turn(time):
@@ -362,19 +379,14 @@ class Window(ProgramTest):
         self.open("software")
         self.pointer("windowfocus", "--sync", self.window)
         air = self.patch(TARGET)
-        self.move_to(START)
-        self.pointer("mousedown", 1)
+        self.press_at(START)
         self.move_to(TARGET)
         until(lambda: self.differs(air, TARGET), "the ball to be seen at the pointer", self.game)
         self.pointer("windowfocus", 0)  # nobody's
-        run = self.save()
-        paused_at = json.loads(run.read_text())["duration"]
-        self.assertIn("release", self.inputs(run)[-1])
-        run.unlink()
+        paused = self.so_far()
+        self.assertIn("release", paused["inputs"][-1])
         self.assertTrue(self.differs(air, TARGET))  # it hangs in the air
-        run = self.save()
-        self.assertEqual(json.loads(run.read_text())["duration"], paused_at)
-        run.unlink()
+        self.assertEqual(self.so_far()["duration"], paused["duration"])
         self.move_to(START)  # the button is still down
         self.pointer("mouseup", 1)
         self.pointer("windowfocus", "--sync", self.window)
@@ -383,16 +395,14 @@ class Window(ProgramTest):
         self.move_to(TARGET)
         run = self.save()
         self.close()
-        kinds = [event["event"] for event in self.trace(run, "--events")]
-        self.assertEqual((kinds.count("grab"), kinds.count("release")), (1, 1))
+        self.assert_grabs(run, 1)
         self.assertIn("release", self.inputs(run)[-1])
-        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+        self.assert_true(run)
 
     def test_the_hook_goes_along_while_the_pointer_is_held_still_beyond_the_reach(self):
         self.open("software")
         far = (12.5, 7)  # where the ball comes to it, it is still well in sight
-        self.move_to(START)
-        self.pointer("mousedown", 1)
+        self.press_at(START)
         self.move_to(far)
         until(lambda: sum("move" in entry for entry in self.so_far()["inputs"]) > 10, "the hook to go along", self.game)
         self.pointer("mouseup", 1)
@@ -403,29 +413,26 @@ class Window(ProgramTest):
         moments = [round(entry["t"] * 60) for entry in still]
         self.assertEqual([entry["t"] for entry in still], [moment / 60 for moment in moments])
         self.assertEqual(moments, list(range(moments[0], moments[-1] + 1)))  # none is left out
-        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+        self.assert_true(run)
 
     def test_a_spoilt_list_of_best_times_is_set_aside_with_one_message(self):
         best = self.file("data/smb2d/best.json", '{"00000000000000')
         level = self.file("over.svg", SMALL_LEVEL.replace("</svg>", '<line class="goal" x1="2.2" x2="2.2" y2="4"/></svg>'))
         self.open("software", level)
         self.press_key("space")
-        game = self.game
         aside = best.with_name("best.json.spoilt")
-        until(lambda: aside.exists() and best.exists(), "the best time to be kept", game)
+        until(lambda: aside.exists() and best.exists(), "the best time to be kept", self.game)
         self.assertEqual(aside.read_text(), '{"00000000000000')
         self.assertEqual(len(json.loads(best.read_text())), 1)
-        game.send_signal(signal.SIGTERM)
-        _, stderr = game.communicate(timeout=PATIENCE)
+        self.game.send_signal(signal.SIGTERM)
+        _, stderr = self.game.communicate(timeout=PATIENCE)
         said = [line for line in stderr.decode().splitlines() if "best times" in line]
         self.assertEqual(len(said), 1, stderr)
         self.assertIn("best.json.spoilt", said[0])
 
     def open_drawing(self, text):
         self.level = self.file("drawn.svg", text)
-        self.game = self.start("play", self.level, "--renderer", "software", "--size", "320x180",
-                               changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11"})
-        self.wait_for_window()
+        self.play(self.level, size="320x180")
         self.until_colour(0xff0000)
 
     def save_drawing(self, text):
@@ -458,9 +465,7 @@ class Window(ProgramTest):
         self.pointer("keydown", "F1")  # nothing of these is an input
         self.pointer("keyup", "F1")
         self.press_key("F1")
-        run = self.save()
-        self.assertEqual(json.loads(run.read_text())["duration"], 0)
-        run.unlink()
+        self.assertEqual(self.so_far()["duration"], 0)
         self.pointer("keydown", "Right")
         until(lambda: self.so_far()["duration"] > 0, "the world to go on", self.game)
         self.pointer("keyup", "Right")
@@ -468,59 +473,45 @@ class Window(ProgramTest):
         self.assertEqual(self.inputs(run)[0]["t"], 0)
         self.assertGreater(self.inputs(run)[0]["tilt"], 0)
         self.assertGreater(json.loads(run.read_text())["duration"], 0)
-        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+        self.assert_true(run)
 
     def test_a_press_beside_the_ball_grabs_nothing_and_one_near_it_takes_it_and_q_ends_the_program(self):
         self.open("software")
-        self.move_to(TARGET)
-        self.pointer("mousedown", 1)
-        self.move_to(START)
-        self.pointer("mouseup", 1)
+        self.drag(TARGET, START)
         run = self.save()
-        self.assertNotIn("grab", [event["event"] for event in self.trace(run, "--events")])
+        self.assertEqual(self.times_of("grab", run), [])
         run.unlink()
-        self.move_to((START[0] + 1.7 * 0.4, START[1]))
-        self.pointer("mousedown", 1)
-        self.move_to(TARGET)
-        self.pointer("mouseup", 1)
-        kinds = [event["event"] for event in self.trace(self.save(), "--events")]
-        self.assertEqual((kinds.count("grab"), kinds.count("release")), (1, 1))
+        self.drag((START[0] + 1.7 * 0.4, START[1]), TARGET)
+        self.assert_grabs(self.save(), 1)
         self.press_key("q")
         self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
 
     def test_a_ball_that_is_taken_in_the_past_plays_on_from_there(self):
         self.open("software")
         self.drag_the_ball()
-        whole = self.save()
+        whole_inputs = self.so_far()["inputs"]
         empty = self.patch(START)
         self.pointer("keydown", "comma")
         until(lambda: self.differs(empty, START), "the ball to be back where it began", self.game)
         self.wait_until_still("the beginning, where time stands")
         self.pointer("keyup", "comma")
-        self.move_to(START)
-        self.pointer("mousedown", 1)
-        self.move_to((START[0] + 2, START[1]))
-        self.pointer("mouseup", 1)
-        whole_inputs = self.inputs(whole)
-        whole.unlink()
+        self.drag(START, (START[0] + 2, START[1]))
         run = self.save()
-        kinds = [event["event"] for event in self.trace(run, "--events")]
-        self.assertEqual((kinds.count("grab"), kinds.count("release")), (2, 2))
+        self.assert_grabs(run, 2)
         common = [entry for entry in whole_inputs if entry in self.inputs(run)]
         self.assertEqual(common, self.inputs(run)[:len(common)])
         self.assertNotIn(whole_inputs[-1], self.inputs(run))  # the first release is no part of it any more
-        self.assertEqual(self.smb2d("verify", run).returncode, 0)
+        self.assert_true(run)
 
     def test_at_the_goal_the_ball_is_let_go_the_card_has_a_button_that_films_and_enter_goes_on(self):
         self.open("software", self.file("goal.svg", LEVEL.format(GOAL)))
-        self.move_to(START)
-        self.pointer("mousedown", 1)
+        self.press_at(START)
         self.move_to((6.5, 5))
         best = self.folder / "data/smb2d/best.json"
         until(best.exists, "the time to be kept", self.game)
         run = self.save()  # the button is still down
         self.assertIn("release", self.inputs(run)[-1])
-        goal = next(float(e["t"]) for e in self.trace(run, "--events") if e["event"] == "goal")
+        goal = self.times_of("goal", run)[0]
         self.assertEqual(list(json.loads(best.read_text()).values()), [goal])
         self.assertLess(self.inputs(run)[-1]["t"] - goal, 0.2)
         run.unlink()
@@ -530,7 +521,7 @@ class Window(ProgramTest):
         # A card of one line, the hint: 540 by 160 + 30 + 48, its button 36 high, 4 above where the lines end.
         unit = HEIGHT / 720
         card = max(62 * unit, 0.36 * HEIGHT - 238 / 2 * unit)
-        self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(card + (186 + 18) * unit), "click", 1)
+        self.click(WIDTH / 2, card + (186 + 18) * unit)
         until(lambda: list((self.folder / "data").rglob("*.mp4")), "the film", self.game)
         self.assertEqual(self.name(), before)  # it did not go on
         for filmed in (self.folder / "data").rglob("*.json"):
@@ -542,7 +533,7 @@ class Window(ProgramTest):
             return self.name() != before
 
         until(goes_on, "the next level", self.game)
-        self.assertEqual(json.loads(self.save().read_text())["duration"], 0)
+        self.assertEqual(self.so_far()["duration"], 0)
 
     def test_the_picker_scrolls_by_its_arrow(self):
         levels = self.folder / "levels"
@@ -552,8 +543,7 @@ class Window(ProgramTest):
         (levels / "17.svg").write_text(SMALL_LEVEL.replace("<title>Small", "<title>The last"))
         self.open("software", levels)
         unit = HEIGHT / 720
-        click = lambda x, y: self.pointer("mousemove", "--window", self.window, round(WIDTH / 2 + x * unit),
-                                          round(y * unit), "click", 1)
+        click = lambda x, y: self.click(WIDTH / 2 + x * unit, y * unit)
         for _ in range(2):  # five rows, of which three are seen
             before = self.screenshot()
             click(617, 636)
@@ -565,27 +555,20 @@ class Window(ProgramTest):
         self.play()
         first = self.screenshot()
         until(lambda: self.screenshot() != first, "the title to move", self.game)
-        self.pointer("mousemove", "--window", self.window, WIDTH - 30, 25, "click", 1)
+        self.click(WIDTH - 30, 25)
         self.wait_until_still("the title to stand still")
         self.click_row(self.SETTINGS, 8, 2)
         self.wait_for_preference("muted", True)
         self.press_keys("Escape")
         self.press_key("F5")  # is a key as any other: starts, and saves nothing
-        run = self.save()
-        self.assertEqual(Path(json.loads(run.read_text())["level"]).name, "01-sunny-hills.svg")
-        self.assertEqual(json.loads(run.read_text())["duration"], 0)
+        run = self.so_far()
+        self.assertEqual((Path(run["level"]).name, run["duration"]), ("01-sunny-hills.svg", 0))
 
     def heard(self):
         """What the sound device has been given so far: numbers of both sides in turn."""
         raw = self.folder / "heard.raw"
         data = raw.read_bytes() if raw.exists() else b""
         return array.array("f", data[:len(data) // 4 * 4])
-
-    def open_with_sound(self, level):
-        self.game = self.start("play", self.file("floor.svg", level), "--renderer", "software", "--size",
-                               f"{WIDTH}x{HEIGHT}", changes={"DISPLAY": self.display.name, "SDL_VIDEODRIVER": "x11",
-                                                             "SDL_AUDIODRIVER": "disk", "SDL_DISKAUDIOFILE": "heard.raw"})
-        self.wait_for_window()
 
     def loudest_from_now(self):
         """Of the next tenth of a second."""
@@ -594,23 +577,23 @@ class Window(ProgramTest):
         return max(map(abs, self.heard()[begun:]))
 
     def test_a_landing_is_heard_and_m_mutes(self):
-        self.open_with_sound(LEVEL.format("").replace('cy="4.4"', 'cy="2"'))
+        self.play(self.file("floor.svg", LEVEL.format("").replace('cy="4.4"', 'cy="2"')), SDL_AUDIODRIVER="disk",
+                  SDL_DISKAUDIOFILE="heard.raw")
         until(lambda: self.loudest_from_now() > 0.005, "the tune", self.game)
         self.press_key("space")
         # The tune and its limit are far below.
         until(lambda: max(map(abs, self.heard()), default=0) > 0.13, "the landing", self.game)
         self.press_key("m")
         until(lambda: self.loudest_from_now() == 0, "silence", self.game)
-        kept = self.folder / "data/smb2d/preferences.json"
-        choice = json.loads(until(lambda: kept.exists() and kept.read_text(), "the choice to be kept"))
-        self.assertEqual((choice["volume"], choice["muted"]), (0.8, True))
+        self.wait_for_preference("muted", True)
+        self.assertEqual(self.preferences()["volume"], 0.8)
         self.press_key("m")
         until(lambda: self.loudest_from_now() > 0.005, "the tune to come back", self.game)
         self.press_key("space")
         until(lambda: self.loudest_from_now() == 0, "silence in the pause", self.game)
         for _ in range(9):
             self.press_key("minus")
-        until(lambda: json.loads(kept.read_text())["volume"] == 0, "the volume to be kept", self.game)
+        self.wait_for_preference("volume", 0)
         self.close()
 
     def test_without_a_sound_device_the_game_plays_on_without_a_word(self):
@@ -620,8 +603,7 @@ class Window(ProgramTest):
                                ({"SDL_AUDIODRIVER": "disk"}, ["--no-sound"])]:
             self.play(self.file("floor.svg", LEVEL.format("")), *words, **changes)
             self.press_key("q")
-            _, stderr = self.game.communicate(timeout=PATIENCE)
-            self.assertEqual((self.game.returncode, stderr), (0, b""))
+            self.assertEqual(self.last_words(0), b"")
             self.assert_no_files("*.raw")
 
     def test_f6_films_what_was_played_while_the_game_goes_on(self):
@@ -632,11 +614,9 @@ class Window(ProgramTest):
         films = lambda: [path for path in (self.folder / "data").rglob("*.mp4") if ".part." not in path.name]
         film = until(films, "the film", self.game)[0]
         duration = json.loads(film.with_suffix(".json").read_text())["duration"]
-        said = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames",
-                               "-select_streams", "v", "-of", "csv=p=0", film], stdout=subprocess.PIPE, check=True).stdout
-        self.assertEqual(int(said), math.ceil(duration * 60 - 1e-9))
+        self.assertEqual(self.frames_in(film), math.ceil(duration * 60 - 1e-9))
         film.with_suffix(".json").unlink()
-        self.assertGreater(json.loads(self.save().read_text())["duration"], duration)
+        self.assertGreater(self.so_far()["duration"], duration)
 
     def test_a_film_that_the_end_of_the_program_cuts_short_is_named_or_gone(self):
         self.open("software")
@@ -644,8 +624,7 @@ class Window(ProgramTest):
         self.press_key("F6")
         until(lambda: list((self.folder / "data").rglob("*.part.mp4")), "the film to begin", self.game)
         self.press_key("q")
-        _, stderr = self.game.communicate(timeout=PATIENCE)
-        self.assertEqual(self.game.returncode, 0)
+        stderr = self.last_words(0)
         for part in (self.folder / "data").rglob("*.part.mp4"):
             self.assertIn(part.name.encode(), stderr)
 
@@ -665,14 +644,11 @@ class Window(ProgramTest):
         self.assertEqual(self.screenshot(), still)
         self.press_key("Escape")
         until(lambda: self.screenshot() != still, "the game to go on", self.game)
-        run = self.save()
-        self.assertGreater(json.loads(run.read_text())["duration"], 0)
-        run.unlink()
+        self.assertGreater(self.so_far()["duration"], 0)
         self.open_card()
         self.press_key("Down")
         self.press_key("Return")
-        run = self.save()
-        self.assertEqual(json.loads(run.read_text())["duration"], 0)  # from the beginning
+        self.assertEqual(self.so_far()["duration"], 0)  # from the beginning
         self.open_card()
         self.press_key("Up")
         self.press_key("Return")
@@ -708,9 +684,7 @@ class Window(ProgramTest):
         self.press_keys("Left")
         self.wait_for_preference("language", "system")
         self.press_keys("Escape", "Escape")  # back to the menu, and to the game
-        run = self.save()
-        self.assertEqual(json.loads(run.read_text())["duration"], 0)
-        run.unlink()
+        self.assertEqual(self.so_far()["duration"], 0)
         self.open_card("F2")
         self.press_keys("Return", "Right", "Down", "Down", "Down", "Down")  # keys: save, in the second column
         self.press_keys("Return", "Escape", "Return")
@@ -720,9 +694,7 @@ class Window(ProgramTest):
         self.close()
 
         self.play(self.file("floor.svg", LEVEL.format("")))
-        self.press_key("o")
-        until(lambda: any(b'"final"' in path.read_bytes() for path in (self.folder / "data").rglob("*.json")),
-              "the run that O saves", self.game)
+        self.save("o")
         self.assertEqual(self.game.poll(), None)
 
     def on_card(self, form, rows, row, share=0.5):
@@ -733,10 +705,10 @@ class Window(ProgramTest):
         wide = (width - 68 - 20 * (columns - 1)) / columns
         x = WIDTH / 2 + (-width / 2 + 34 + row // per_column * (wide + 20) + share * wide) * unit
         y = HEIGHT / 2 + (-tall / 2 + 84 + row % per_column * (high + gap) + high / 2) * unit
-        return round(x), round(y)
+        return x, y
 
     def click_row(self, *where, **options):
-        self.pointer("mousemove", "--window", self.window, *self.on_card(*where, **options), "click", 1)
+        self.click(*self.on_card(*where, **options))
 
     SETTINGS, KEYS = (640, 1, 50, 8, 62), (1200, 2, 34, 6, 58)
 
@@ -760,18 +732,16 @@ class Window(ProgramTest):
         self.press_keys("Escape", "Escape")
         self.open_card()
         row = lambda i: HEIGHT / 2 + (i - 2.5) * 68 * HEIGHT / 720 + 25 * HEIGHT / 720
-        self.pointer("mousemove", "--window", self.window, WIDTH * 3 // 8, round(row(3)), "click", 1)
+        self.click(WIDTH * 3 / 8, row(3))
         self.wait_for_preference("muted", False)
-        self.pointer("mousemove", "--window", self.window, WIDTH // 2, round(row(5)), "click", 1)
+        self.click(WIDTH / 2, row(5))
         self.assertEqual(self.game.wait(timeout=PATIENCE), 0)
 
     def test_a_key_that_does_not_exist_is_told_in_one_line(self):
         self.file("data/smb2d/preferences.json", '{"keys": {"pause": ["Spcae"]}}')
         self.open("software")
         self.press_key("q")
-        _, stderr = self.game.communicate(timeout=PATIENCE)
-        self.assertEqual(self.game.returncode, 0)
-        self.assert_one_line(stderr, 'preferences.json: keys: pause: there is no key "Spcae"')
+        self.assert_one_line(self.last_words(0), 'preferences.json: keys: pause: there is no key "Spcae"')
 
     def test_the_language_is_that_of_the_settings_else_the_systems(self):
         level = self.file("floor.svg", LEVEL.format(""))
@@ -854,8 +824,7 @@ class Window(ProgramTest):
                 self.press_key(key)
             else:
                 self.game.send_signal(signal.SIGTERM)
-            _, stderr = self.game.communicate(timeout=PATIENCE)
-            self.assertEqual((self.game.returncode, stderr), (status, b"" if key else b"smb2d: interrupted\n"))
+            self.assertEqual(self.last_words(status), b"" if key else b"smb2d: interrupted\n")
 
     def test_the_first_pictures_are_followed_by_a_renderers(self):
         self.open("auto")
