@@ -97,10 +97,10 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def done(self, *words, **options):
-        """The output of a command that must succeed, and say nothing but data."""
+    def done(self, *words, status=0, **options):
+        """The output of a command that must succeed, or end with the status, and say nothing but data."""
         result = self.smb2d(*words, **options)
-        self.assertEqual((result.returncode, result.stderr), (0, b""), words)
+        self.assertEqual((result.returncode, result.stderr), (status, b""), (words, result.stdout))
         return result.stdout
 
     def assert_fails(self, status, *words, says="", **options):

@@ -298,10 +298,6 @@ class Window(ProgramTest):
         """So many, and as many releases."""
         self.assertEqual([len(self.times_of(kind, run)) for kind in ("grab", "release")], [count, count])
 
-    def assert_true(self, run):
-        verified = self.smb2d("verify", run)
-        self.assertEqual((verified.returncode, verified.stderr), (0, b""), verified.stdout)
-
     def check_that_the_ball_followed(self, run):
         (grabbed,), (released,) = (self.times_of(kind, run) for kind in ("grab", "release"))
         self.assertLess(grabbed, released)
@@ -314,7 +310,7 @@ class Window(ProgramTest):
 
     def check_the_run(self, run):
         self.check_that_the_ball_followed(run)
-        self.assert_true(run)
+        self.done("verify", run)
 
     def test_the_ball_is_dragged_seen_saved_and_verified_by_a_graphics_card(self):
         self.open("gl")
@@ -397,7 +393,7 @@ class Window(ProgramTest):
         self.close()
         self.assert_grabs(run, 1)
         self.assertIn("release", self.inputs(run)[-1])
-        self.assert_true(run)
+        self.done("verify", run)
 
     def test_the_hook_goes_along_while_the_pointer_is_held_still_beyond_the_reach(self):
         self.open("software")
@@ -413,7 +409,7 @@ class Window(ProgramTest):
         moments = [round(entry["t"] * 60) for entry in still]
         self.assertEqual([entry["t"] for entry in still], [moment / 60 for moment in moments])
         self.assertEqual(moments, list(range(moments[0], moments[-1] + 1)))  # none is left out
-        self.assert_true(run)
+        self.done("verify", run)
 
     def test_a_spoilt_list_of_best_times_is_set_aside_with_one_message(self):
         best = self.file("data/smb2d/best.json", '{"00000000000000')
@@ -473,7 +469,7 @@ class Window(ProgramTest):
         self.assertEqual(self.inputs(run)[0]["t"], 0)
         self.assertGreater(self.inputs(run)[0]["tilt"], 0)
         self.assertGreater(json.loads(run.read_text())["duration"], 0)
-        self.assert_true(run)
+        self.done("verify", run)
 
     def test_a_press_beside_the_ball_grabs_nothing_and_one_near_it_takes_it_and_q_ends_the_program(self):
         self.open("software")
@@ -501,7 +497,7 @@ class Window(ProgramTest):
         common = [entry for entry in whole_inputs if entry in self.inputs(run)]
         self.assertEqual(common, self.inputs(run)[:len(common)])
         self.assertNotIn(whole_inputs[-1], self.inputs(run))  # the first release is no part of it any more
-        self.assert_true(run)
+        self.done("verify", run)
 
     def test_at_the_goal_the_ball_is_let_go_the_card_has_a_button_that_films_and_enter_goes_on(self):
         self.open("software", self.file("goal.svg", LEVEL.format(GOAL)))
