@@ -110,7 +110,7 @@ TEST_CASE("T11: bounces that never end come to rest at their limit, after few ev
                 Run run(bound.method, floor_with(disc_at({0, 0.5 + height}), material(0.9, e)));
                 run.to(limit + 1);
                 REQUIRE(run.history.events.back().kind == physics::EventKind::rest);
-                // What is lost in 1 - e is a thousandth at 0.999.
+                // 1 - e has lost three digits at 0.999.
                 CHECK(run.history.events.back().time ==
                       doctest::Approx(limit).epsilon(e < 0.999 ? bound.tolerance : 100 * bound.tolerance));
                 CHECK(run.leg().phase == physics::Phase::rest);

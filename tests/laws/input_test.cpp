@@ -11,6 +11,17 @@ using namespace laws;
 
 namespace {
 
+// All that the course comes to by `until`, asked for so many times a second, the ball pulled from 1 s to 2 s if at all.
+Run played_course(physics::Method const& method, double rate, double until, std::optional<Vec2> const& target) {
+    Run run(method, course_at({0, 0}, 0.4));
+    for (int i = 1; i <= until * rate; ++i) {
+        run.to(i / rate);
+        if (target && i == rate) run.pull(0, *target);
+        if (target && i == 2 * rate) run.release();
+    }
+    return run;
+}
+
 // Plays the course to 3 s of its own time, a frame of 1/60 s after the other, one of them late by `late` seconds.
 struct Play {
     Run run;

@@ -146,18 +146,7 @@ inline physics::State state_after(physics::Method const& method, physics::Scene 
     return run.state();
 }
 
-// All that the course comes to by `until`, asked for so many times a second, the ball pulled from 1 s to 2 s if at all.
-inline Run played_course(physics::Method const& method, double rate, double until, std::optional<Vec2> const& target) {
-    Run run(method, course_at({0, 0}, 0.4));
-    for (int i = 1; i <= until * rate; ++i) {
-        run.to(i / rate);
-        if (target && i == rate) run.pull(0, *target);
-        if (target && i == 2 * rate) run.release();
-    }
-    return run;
-}
-
-// Of any two balls, or of a ball with the floor y = 0, m; and the fastest ball, m/s.
+// The deepest overlap of two balls, or of a ball with the floor y = 0, m; and the fastest ball, m/s.
 inline double deepest_overlap(Run const& run) {
     double deepest = 0;
     for (std::size_t i = 0; i < run.scene.balls.size(); ++i) {

@@ -41,30 +41,24 @@ TEST_CASE("every tile that is seen is found at its place, and only there") {
         }
 }
 
-TEST_CASE("a thumbnail of every level that ships shows its ground, whoever paints it") {
+TEST_CASE("a thumbnail of every level that ships shows its ground, whoever paints it, against the middle of its sky") {
     int levels = 0;
-    for (auto const& file : std::filesystem::directory_iterator(ASSETS "/levels")) {
-        level::Level const level = level::read_level(file.path().string());
-        double ground = 0;
-        for (std::vector<Ring> const& body : view::thumbnail_of(level).ground)
-            for (Ring const& ring : body) ground += std::abs(view::signed_area(ring));
-        INFO(file.path().string());
-        CHECK(ground > 0.01 * level.size.x() * level.size.y());
-        ++levels;
-    }
-    CHECK(levels >= 20);
-}
-
-TEST_CASE("the ground of every thumbnail stands out from the middle of its sky") {
     for (auto const& entry : std::filesystem::directory_iterator(ASSETS "/levels")) {
         if (entry.path().extension() != ".svg") continue;
         CAPTURE(entry.path().filename().string());
-        view::Thumbnail const thumbnail = view::thumbnail_of(level::read_level(entry.path().string()));
+        level::Level const level = level::read_level(entry.path().string());
+        view::Thumbnail const thumbnail = view::thumbnail_of(level);
+        double ground = 0;
+        for (std::vector<Ring> const& body : thumbnail.ground)
+            for (Ring const& ring : body) ground += std::abs(view::signed_area(ring));
+        CHECK(ground > 0.01 * level.size.x() * level.size.y());
         view::Colour const sky{(thumbnail.sky_top.red + thumbnail.sky_bottom.red) / 2,
                                (thumbnail.sky_top.green + thumbnail.sky_bottom.green) / 2,
                                (thumbnail.sky_top.blue + thumbnail.sky_bottom.blue) / 2, 1};
         CHECK(view::contrast_ratio(view::ground_colour(thumbnail), sky) > 2);
+        ++levels;
     }
+    CHECK(levels >= 20);
 }
 
 TEST_CASE("rows that are not seen are counted, and the bar scrolls towards them alone") {
