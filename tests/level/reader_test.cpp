@@ -197,6 +197,13 @@ TEST_CASE("elements without a role are drawn behind the scene") {
     CHECK(level.scene.terrain.pieces.empty());
 }
 
+// As in a page, from which drawings are cut out; browsers show no such file.
+TEST_CASE("a prefix that is bound to nothing is read") {
+    auto const level = read(with(R"svg(<defs><path id="a" d="M0 8H16"/></defs><use xlink:href="#a" class="terrain"/>
+        <g inkscape:label="sky"><line class="terrain" x2="16" y1="1" y2="1"/></g>)svg"));
+    CHECK(level.scene.terrain.pieces.size() == 2);
+}
+
 TEST_CASE("files in UTF-16 and Latin-1 are read as well") {
     std::string const text = with("<title>h</title>\n");
     std::string wide = "\xff\xfe";
@@ -259,8 +266,7 @@ TEST_CASE("files packed with gzip are read, bombs are not") {
     CHECK(read(bytes).hash == level::fnv1a_hex(std::as_bytes(std::span(bytes.data(), bytes.size()))));
     CHECK(fault_of(bytes.substr(0, bytes.size() - 9)) == ":1: svgz: the packed data is damaged or cut short");
     CHECK(fault_of(bytes + "x") == ":1: svgz: the packed data is damaged or cut short");
-    CHECK(fault_of(packed(std::string(64'000'001, ' '))) ==
-          ":1: svg: the file must unpack to at most 64 MB, got more");
+    CHECK(fault_of(packed(std::string(64'000'001, ' '))) == ":1: svg: the file must unpack to at most 64 MB, got more");
 }
 
 TEST_CASE("the hash of a level is FNV-1a of its bytes") {
