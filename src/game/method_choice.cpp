@@ -71,10 +71,12 @@ physics::Choice named_or_chosen(MethodWish const& wish, physics::Scene const& sc
     if (wish.name == "exact") return {physics::Exact{}, "it was named"};
     physics::Choice choice =
         wish.name == "steps" ? physics::Choice{physics::Steps{}, "it was named"} : physics::choice_for(scene);
-    if (auto* steps = std::get_if<physics::Steps>(&choice.method)) {
-        if (wish.tolerance) steps->rate = rate_within(*wish.tolerance, scene);
-        if (wish.tolerance && wish.name != "steps") choice.why = pile_keeps(*wish.tolerance, scene, steps->rate);
-        steps->rate = wish.rate.value_or(steps->rate);
+    auto* const steps = std::get_if<physics::Steps>(&choice.method);
+    if (steps && wish.rate) {
+        steps->rate = *wish.rate;
+    } else if (steps && wish.tolerance) {
+        steps->rate = rate_within(*wish.tolerance, scene);
+        if (wish.name != "steps") choice.why = pile_keeps(*wish.tolerance, scene, steps->rate);
     }
     return choice;
 }

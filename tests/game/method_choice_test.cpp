@@ -53,6 +53,14 @@ TEST_CASE("what is chosen for a pile is said with what it keeps, or that nothing
               .why.rfind("nothing is known to keep 1e-06 m; nearest, steps at 960 steps/s; ", 0) == 0);
 }
 
+TEST_CASE("a named rate weighs more than a tolerance, and nothing is said of another") {
+    game::MethodWish wish = within(1e-3);
+    wish.rate = 77;
+    physics::Choice const choice = game::choice_for(wish, with_balls(30));
+    CHECK(game::rate_of(choice.method) == 77);
+    CHECK(choice.why.find("steps/s") == std::string::npos);
+}
+
 TEST_CASE("a pile that settles at the rate chosen for a tolerance overlaps by no more") {
     for (int const count : {12, 60}) {
         physics::Scene scene;
