@@ -12,9 +12,9 @@ namespace physics {
 
 namespace {
 
-void tell(EventKind kind, World const& world, History& history) {
-    int const first = world.island.front();
-    if (history.islands.empty() || history.islands.back() != world.island) history.islands.push_back(world.island);
+void tell(EventKind kind, std::vector<int> const& island, World const& world, History& history) {
+    int const first = island.front();
+    if (history.islands.empty() || history.islands.back() != island) history.islands.push_back(island);
     history.events.push_back({world.time, kind, first, at(world.legs[first], world.time), world.legs[first].contact,
                               static_cast<int>(history.islands.size()) - 1});
 }
@@ -48,18 +48,37 @@ void hand_over(Scene const& scene, World& world, int ball, History& history) {
     world.quiet_until = -never;
     world.handover_time = world.time;
     begin_stepping(world);
-    tell(EventKind::handover, world, history);
+    tell(EventKind::handover, world.island, world, history);
 }
+
+namespace {
+
+bool is_at_step(World const& world) { return world.time == time_of_step(world, handover_rate, world.steps_taken); }
+
+// Balls that have come to lean on others since, with those near them, are handed over as well.
+void hand_over_more(Scene const& scene, World& world, History& history) {
+    auto const is_handed_over = [&](int i) { return std::binary_search(world.island.begin(), world.island.end(), i); };
+    for (int i = 0; i < static_cast<int>(scene.balls.size()); ++i) {
+        if (!is_stepped(world, i) || is_handed_over(i)) continue;
+        std::vector<int> more = island_of(scene, world, i);
+        std::erase_if(more, is_handed_over);
+        tell(EventKind::handover, more, world, history);
+        world.island.insert(world.island.end(), more.begin(), more.end());
+        std::sort(world.island.begin(), world.island.end());
+    }
+}
+
+}  // namespace
 
 void step_handed_over(Scene const& scene, World& world, double until, History& history) {
     double const begun = time_of_step(world, handover_rate, world.steps_taken);
     double const next = world.time < begun ? begun : time_of_step(world, handover_rate, world.steps_taken + 1);
     advance_with(Steps{handover_rate}, scene, world, std::min(next, until), history);
+    if (is_at_step(world)) hand_over_more(scene, world, history);
 }
 
 bool is_apart(Scene const& scene, World const& world) {
-    bool const is_at_step = world.time == time_of_step(world, handover_rate, world.steps_taken);
-    if (!is_at_step || world.time - world.handover_time < shortest_handover) return false;
+    if (!is_at_step(world) || world.time - world.handover_time < shortest_handover) return false;
     for (int a = 0; a < static_cast<int>(scene.balls.size()); ++a)
         for (int b = a + 1; b < static_cast<int>(scene.balls.size()); ++b)
             if (are_near(scene, world, a, b)) return false;
@@ -68,7 +87,7 @@ bool is_apart(Scene const& scene, World const& world) {
 
 void take_back(Scene const& scene, World& world, History& history) {
     world.handed_over = false;
-    tell(EventKind::takeover, world, history);
+    tell(EventKind::takeover, world.island, world, history);
     for (int i = 0; i < static_cast<int>(scene.balls.size()); ++i) {
         if (is_stepped(world, i))
             release(scene, world, history, i, world.time);

@@ -9,7 +9,8 @@ namespace physics {
 // touches. Every ball stays on its plan until it leans on another.
 void hand_over(Scene const& scene, World& world, int ball, History& history);
 
-// To `until` or to the end of the present step, whichever is sooner.
+// To `until` or to the end of the present step, whichever is sooner. Balls that come to lean on others meanwhile are
+// told to be handed over at its end.
 void step_handed_over(Scene const& scene, World& world, double until, History& history);
 
 // Whether no ball is near another any more, and the handover has lasted a while; at the end of a step.

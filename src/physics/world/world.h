@@ -91,9 +91,9 @@ struct World {
 
     std::vector<BallPlan> plans;  // of balls on their plan
     double quiet_until = -never;  // s, exact method: no event comes before, as far as is known
-    bool handed_over = false;     // the exact method has let `steps` take balls that lean for now,
-    std::vector<int> island;      // because of these
-    double handover_time = 0;     // s, when it last did
+    bool handed_over = false;     // the exact method has let `steps` take balls that lean for now:
+    std::vector<int> island;      // these and those near them, in order
+    double handover_time = 0;     // s, when it first did so
 
     std::vector<std::vector<bool>> noticed;  // by sensor and ball
 };

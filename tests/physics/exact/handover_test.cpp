@@ -39,6 +39,31 @@ TEST_CASE("a ball that fell asleep in one hand-over is awake in the next, and fa
     CHECK(has_left);
 }
 
+TEST_CASE("each island that comes to lean is handed over by a row of its own, whenever one asks") {
+    // In two shafts a ball lies on another's shoulder; those of the second fall from higher.
+    auto const shaft = [](double x) { return chain({{x, 60}, {x, 0}, {x + 1.6, 0}, {x + 1.6, 60}}); };
+    std::vector<Piece> pieces = shaft(0);
+    for (Piece const& piece : shaft(10)) pieces.push_back(piece);
+    std::vector<Ball> balls{disc_at({0.5, 0.5}), disc_at({1.1, 1.6}), disc_at({10.5, 20}), disc_at({11.1, 25})};
+    for (Ball& ball : balls) ball.restitution = 0;
+    std::vector<Event> rows;
+    for (double const step : {20.0, 0.0137}) {
+        Run run = exact_run(pieces, balls);
+        for (double time = 0; time < 8; time += step) run.to(std::min(8.0, time + step));
+        std::vector<std::vector<int>> told;
+        rows.clear();
+        for (Event const& event : run.history.events)
+            if (event.kind == EventKind::handover || event.kind == EventKind::takeover) {
+                rows.push_back(event);
+                told.push_back(run.history.islands[static_cast<std::size_t>(event.other)]);
+            }
+        REQUIRE(told.size() == 2);
+        CHECK(told[0] == std::vector<int>{0, 1});
+        CHECK(told[1] == std::vector<int>{2, 3});
+        CHECK(rows[1].time > std::sqrt(2 * 19.5 / 9.81));  // the lower one has come down
+    }
+}
+
 TEST_CASE("steps begin with nothing in memory") {
     World world;
     world.time = 3;

@@ -5,7 +5,7 @@ eval begin("against-peers", 1300, 620)
 set multiplot layout 1,3 title "How many times less processor time the exact method needs" \
     font font.",16" margins 0.09,0.985,0.04,0.82 spacing 0.02,0
 set border 0; unset key; unset grid
-set xrange [0.5:2.5]; set yrange [-13.5:-0.5]
+set xrange [0.5:2.5]; set yrange [-words(scenes) - 0.5:-0.5]
 unset xtics
 set x2range [0.5:2.5]
 set x2tics scale 0 ("Box2D" 1, "Chipmunk" 2) offset 0,-0.5

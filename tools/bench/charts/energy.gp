@@ -18,7 +18,7 @@ do for [i = 1:4] {
     swing = word(swings, i)
     set title titled(swing) font font.",13" offset 0,-0.5
     set xlabel i > 2 ? "time, s" : "" offset 0,0.3
-    plot for [m in "article Chipmunk Box2D steps exact"] energy using 3:(change(swing, m)) with lines ls style_of(m) lw 2.5
+    plot for [m in "article euler Chipmunk Box2D steps exact"] energy using 3:(change(swing, m)) with lines ls style_of(m) lw 2.5
 }
 unset title; unset border; unset tics; unset grid; unset xlabel
 set lmargin at screen 0.05; set rmargin at screen 0.98; set bmargin at screen 0.005; set tmargin at screen 0.07

@@ -25,11 +25,12 @@ set arrow 1 from pixel, graph 0 to pixel, graph 1 nohead dt 3 lc rgb "#888888"
 set label 1 "one pixel" at pixel, graph 0.03 left rotate offset -0.5,0 tc rgb "#777777"
 set object 1 rectangle from least, graph 0 to known, graph 1 fs solid 0.5 noborder fc rgb "#f1f1f1" behind
 set key outside right top samplen 2 spacing 1.3 Left reverse
-plot for [m in "article steps exact"] level using (error(m)):($5 / 1e3) with linespoints ls style_of(m) notitle, \
-    for [m in "article steps exact"] level using (lost(m)):($5 / 1e3) with points lc rgb colour(style_of(m)) pt 2 ps 1.2 lw 2 notitle, \
+plot for [m in "article euler steps exact"] level using (error(m)):($5 / 1e3) with linespoints ls style_of(m) notitle, \
+    for [m in "article euler steps exact"] level using (lost(m)):($5 / 1e3) with points lc rgb colour(style_of(m)) pt 2 ps 1.2 lw 2 notitle, \
     level using (error("exact")):($6 / 1e3) with points lc rgb "#00796b" pt 12 ps 1.5 lw 2 notitle, \
     NaN with linespoints ls 1 title "exact, asked 60 times", NaN with points lc rgb "#00796b" pt 12 ps 1.5 lw 2 title "exact, asked once", \
-    NaN with linespoints ls 3 title "steps, 60 to 7680 Hz", NaN with linespoints ls 4 title "article, 60 to 7680 Hz", \
+    NaN with linespoints ls 3 title "steps, 60 to 7680 Hz", NaN with linespoints ls 9 title "euler, 60 to 7680 Hz", \
+    NaN with linespoints ls 4 title "article, 60 to 7680 Hz", \
     NaN with points pt 2 lw 2 lc rgb "#333333" title "failed", \
     NaN with boxes fs solid 1 noborder fc rgb "#e8e8e8" title "finer than is known"
 unset output

@@ -25,7 +25,7 @@ do for [i = 1:words(chosen)] {
     set label 1 "h" at 0.03, 1e-6 * 0.03 center offset 0,0.7 tc rgb "#999999"
     set label 2 "h^2" at 0.06, 2e-10 * 0.06**2 center offset 0,0.7 tc rgb "#999999"
     eval "plot 1e-6 * x with lines dt 3 lw 1.5 lc rgb '#999999' notitle, 2e-10 * x**2 with lines dt 3 lw 1.5 lc rgb '#999999' notitle,". \
-        line("article").",".line("Chipmunk").",".line("Box2D").",".line("steps").", \
+        line("article").",".line("Chipmunk").",".line("Box2D").",".line("euler").",".line("steps").", \
         results using (0.03):(of(scene,'exact')) with points ls 1 notitle"
 }
 unset title; unset border; unset tics; unset grid; unset label; unset xlabel; unset ylabel
@@ -33,7 +33,7 @@ set lmargin at screen 0.05; set rmargin at screen 0.98; set bmargin at screen 0.
 set key center center horizontal samplen 3 width 2 Left reverse font font.",12"
 unset logscale xy; set xrange [0:1]; set yrange [0:1]
 plot NaN with points ls 1 title "exact, which has no step", NaN with linespoints ls 3 title "steps", \
-    NaN with linespoints ls 4 title "article", NaN with linespoints ls 5 title "Box2D", NaN with linespoints ls 6 title "Chipmunk", \
+    NaN with linespoints ls 9 title "euler", NaN with linespoints ls 4 title "article", NaN with linespoints ls 5 title "Box2D", NaN with linespoints ls 6 title "Chipmunk", \
     NaN with lines dt 3 lw 1.5 lc rgb "#999999" title "slopes 1 and 2"
 unset multiplot
 unset output

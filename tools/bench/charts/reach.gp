@@ -9,14 +9,14 @@ reach = tables."/reach.tsv"
 set multiplot layout 1,3 title "What it costs to be this accurate: processor time for a simulated second, asked 60 times" \
     font font.",16" margins 0.08,0.985,0.04,0.84 spacing 0.015,0
 set border 0; unset key; unset colorbox; unset grid
-set xrange [0.5:5.5]; set yrange [-13.5:-0.5]
+set xrange [0.5:words(methods) + 0.5]; set yrange [-words(scenes) - 0.5:-0.5]
 set palette defined (0 "#1b9e77", 1.2 "#a6dba0", 2.2 "#fff3b0", 3.2 "#f7a35c", 4.3 "#d6604d")
 set cbrange [3:7.3]
-set xtics scale 0 ("exact" 1, "steps" 2, "article" 3, "Box2D" 4, "Chipmunk" 5) offset 0,0
 unset ytics
 unset xtics
-set x2range [0.5:5.5]
-set x2tics scale 0 ("exact" 1, "steps" 2, "article" 3, "Box2D" 4, "Chipmunk" 5) offset 0,-0.5
+set x2range [0.5:words(methods) + 0.5]
+set x2tics scale 0 () offset 0,-0.5
+do for [k = 1:words(methods)] { set x2tics add (word(methods, k) k) }
 do for [c = 3:5] {
     set title accuracy(c) font font.",13"
     if (c == 3) { set ytics scale 0; do for [k = 1:words(scenes)] { set ytics add (word(scenes, k) -k) } } \

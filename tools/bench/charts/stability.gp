@@ -13,18 +13,18 @@ set palette defined (-15 "#1a5276", -11 "#2e86c1", -6 "#a9dfbf", -2 "#f9e79f", -
 set cbrange [-15:1]
 set format "%g"
 drag = tables."/drag.tsv"
-names = "symplectic_Euler exact steps article Box2D Chipmunk"
 bound(z) = log10(60 / pi * (sqrt(1 + z * z) - z))
 set samples 200
 do for [i = 0:5] {
     unset colorbox
     if (i == 2) { set colorbox user origin 0.905,0.09 size 0.018,0.79; \
         set cbtics scale 0 ("10^{-15}" -15, "10^{-12}" -12, "10^{-9}" -9, "10^{-6}" -6, "10^{-3}" -3, "all" 0, "runs away" 0.75) }
-    name = word(names, i + 1)
-    set title name eq "symplectic_Euler" ? "symplectic Euler, the plain loop" : name font font.",13" offset 0,-0.5
+    name = word(methods, i + 1)
+    eval find_block(drag, name)
+    set title name eq "euler" ? "euler, the plain loop" : name font font.",13" offset 0,-0.5
     set xlabel i > 2 ? "frequency of the spring, Hz" : "" offset 0,0.3
     set ylabel i % 3 == 0 ? "damping, of critical" : ""
-    plot drag index i using (log10($2)):3:($5 == 1 ? log10($4 < 1e-15 ? 1e-15 : $4 > 2.5 ? 2.5 : $4) : 1) with image notitle, \
+    plot drag index block using (log10($2)):3:($5 == 1 ? log10($4 < 1e-15 ? 1e-15 : $4 > 2.5 ? 2.5 : $4) : 1) with image notitle, \
         "+" using (bound(2 * ($1 - log10(0.5)) / (log10(60) - log10(0.5)))):(2 * ($1 - log10(0.5)) / (log10(60) - log10(0.5))) \
             with lines lw 2 dt 2 lc rgb "#ffffff" notitle
 }
@@ -33,7 +33,7 @@ unset output
 
 # Walls.
 eval begin("walls", 1300, 420)
-set multiplot layout 1,5 title "A ball of radius 0.5 m thrown at a wall, 60 steps a second: how many get through" \
+set multiplot layout 1,6 title "A ball of radius 0.5 m thrown at a wall, 60 steps a second: how many get through" \
     font font.",16" margins 0.06,0.98,0.16,0.78 spacing 0.02,0
 unset colorbox
 set palette defined (0 "#d4e6f1", 0.001 "#f5b041", 0.5 "#cb4335", 1 "#2b2b2b")
@@ -41,14 +41,14 @@ set cbrange [0:1]
 set xrange [0:5]; set yrange [0:2]
 set xtics scale 0.5 nomirror ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4)
 walls = tables."/walls.tsv"
-names = "exact steps article Box2D Chipmunk"
 step_past = log10(60 * 0.5)  # a radius a step, m/s
-do for [i = 0:4] {
-    set title word(names, i + 1) font font.",13" offset 0,-0.5
+do for [i = 0:5] {
+    eval find_block(walls, word(methods, i + 1))
+    set title word(methods, i + 1) font font.",13" offset 0,-0.5
     set xlabel "speed, m/s" offset 0,0.3
     set ylabel i == 0 ? "thickness of the wall, m" : ""
     if (i > 0) { set ytics scale 0.5 ("" 0, "" 0.5, "" 1, "" 1.5, "" 2) } else { set ytics scale 0.5 nomirror autofreq 0.5 }
-    plot walls index i using (log10($2)):3:4 with image notitle, \
+    plot walls index block using (log10($2)):3:4 with image notitle, \
         "+" using (step_past):($1 * 2 / 5) with lines lw 2 dt 2 lc rgb "#7f8c8d" notitle
 }
 unset multiplot

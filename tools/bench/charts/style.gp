@@ -20,10 +20,15 @@ set style line 5 lc rgb "#e08214" lw 2.0 pt 5  ps 0.9   # Box2D
 set style line 6 lc rgb "#c2185b" lw 2.0 pt 9  ps 1.0   # Chipmunk
 set style line 7 lc rgb "#e08214" lw 1.5 dt 2 pt 4 ps 0.9   # Box2D on finer pieces
 set style line 8 lc rgb "#c2185b" lw 1.5 dt 2 pt 8 ps 1.0   # Chipmunk on finer pieces
-colour(i) = word("#00796b #80cbc4 #1e66c8 #9e9e9e #e08214 #c2185b #e08214 #c2185b", i)
-methods = "exact steps article Box2D Chipmunk"
+set style line 9 lc rgb "#6a4c93" lw 2.0 pt 11 ps 1.0  # euler
+colour(i) = word("#00796b #80cbc4 #1e66c8 #9e9e9e #e08214 #c2185b #e08214 #c2185b #6a4c93", i)
+methods = "exact steps euler article Box2D Chipmunk"
 place(name, list) = sum [k = 1:words(list)] (word(list, k) eq name ? k : 0)
-style_of(method) = int(word("1 3 4 5 6", place(method, methods)))
+style_of(method) = int(word("1 3 9 4 5 6", place(method, methods)))
+
+# Which block of a table, from 0, is a method's: `block` after eval find_block(table, method).
+find_block(table, method) = sprintf("stats '%s' using (strcol(1) eq '%s' ? column(-2) : NaN) nooutput; block = int(STATS_min)", \
+    table, method)
 
 set border 3 lc rgb "#555555"
 set tics nomirror textcolor rgb "#333333"

@@ -29,12 +29,13 @@ round(scene) = scene eq "valley" || scene eq "hill" || scene eq "loop"
 hollow(scene) = scene eq "valley" || scene eq "loop"
 curves(scene) = stairs.",".(hollow(scene) ? curve(8, "Chipmunk on finer pieces").",".curve(7, "Box2D on finer pieces")."," : ""). \
     (round(scene) ? curve(2, "exact on pieces")."," : "").curve(6, "Chipmunk").",".curve(5, "Box2D").",".curve(4, "article").",". \
+    curve(9, "euler").",". \
     curve(3, "steps").",".curve(1, "exact"). \
     ",results using (error(scene,'exact')):(cost(10)) with points lc rgb '#00796b' pt 12 ps 1.5 lw 2 notitle". \
     ",".advised(5, "Box2D").",".advised(6, "Chipmunk").",".best(5, "Box2D").",".best(6, "Chipmunk")
 keys = "NaN with linespoints ls 1 title 'exact, asked 60 times a second', \
     NaN with points lc rgb '#00796b' pt 12 ps 1.5 lw 2 title 'exact, asked once', \
-    NaN with linespoints ls 3 title 'steps, 60 to 7680 Hz', NaN with linespoints ls 4 title 'article, 60 to 7680 Hz', \
+    NaN with linespoints ls 3 title 'steps, 60 to 7680 Hz', NaN with linespoints ls 9 title 'euler, 60 to 7680 Hz', NaN with linespoints ls 4 title 'article, 60 to 7680 Hz', \
     NaN with linespoints ls 5 title 'Box2D, 60 to 7680 Hz', NaN with linespoints ls 6 title 'Chipmunk, 60 to 7680 Hz', \
     NaN with points pt 6 ps 2.4 lw 1.2 lc rgb '#333333' title 'as its makers advise', \
     NaN with points pt 4 ps 2.6 lw 1.2 lc rgb '#333333' title 'its least error', \
