@@ -22,7 +22,7 @@ struct FrameOrder {
 
 class FrameWorkers {
 public:
-    // All that is passed must outlive the frame_workers. Throws std::runtime_error where a thread cannot be started.
+    // All that is passed must outlive the workers. Throws std::runtime_error where a thread cannot be started.
     FrameWorkers(view::Stage const& stage, view::Overlays const& overlays, FrameJob const& job, int workers);
     // Frames that are being painted are finished, orders that wait are dropped.
     ~FrameWorkers();

@@ -1,4 +1,4 @@
-// A what_if of what is going to happen if the player does one thing now and then nothing. The game is not touched.
+// What is going to happen if the player does one thing now and then nothing. The game is not touched.
 #pragma once
 
 #include <optional>

@@ -55,7 +55,7 @@ int side_of(geometry::Curve const& curve, Vec2 const& point, Vec2 const& normal)
     return dot(normal, left) < 0 ? -1 : 1;
 }
 
-// Feet within pieces first; then ends, as far as they euler_still overlap a ball that has been pushed out of those.
+// Feet within pieces first; then ends, as far as they still overlap a ball that has been pushed out of those.
 void collide_with_terrain(Bodies& bodies, int ball) {
     Terrain const& terrain = bodies.scene.terrain;
     Vec2 const place = bodies.states[ball].position;

@@ -6,10 +6,10 @@
 
 namespace physics {
 
-// Where balls rest on each other, or events crowd beyond any use, the world is handed over to Steps with these numbers
-// and taken back when the balls are apart again.
+// Where balls rest on each other, or events crowd beyond any use, how balls meet is left to Steps with these numbers
+// until no two are near each other any more: whoever leans meanwhile is stepped, whoever does not stays on its legs.
 inline constexpr double handover_rate = 240;      // steps/s
-inline constexpr double shortest_handover = 0.1;  // s, before the world is taken back
+inline constexpr double shortest_handover = 0.1;  // s, before balls are taken back
 inline constexpr double takeover_gap = 0.02;      // of the smaller radius: balls nearer than this are not apart
 
 struct Exact {};

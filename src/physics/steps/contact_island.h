@@ -5,7 +5,7 @@
 
 namespace physics {
 
-// Sets up the bodies and contacts of the stage's pile when its pairs and balls are new.
+// Sets up the bodies and contacts of the island when its pairs and balls are new.
 void gather_pile(StepContext& context);
 
 // Moves all leaning balls through the substep. The steady overlap of a column is the weight above over

@@ -44,7 +44,7 @@ struct ContactIsland {
     std::vector<SolverBody> bodies;              // terrain, then one for every ball
     std::vector<int> pairs;                      // neighbours that lean and are not both asleep
     std::vector<SoftContact> contacts;           // one for each of these pairs
-    std::vector<SoftContact> ground;             // one for each touch
+    std::vector<SoftContact> ground;             // one for each cached contact
     std::vector<CachedContact> cached_contacts;  // of these balls
     std::vector<CachedContact> left;             // of balls asleep
     std::vector<int> deep;                       // balls pressed too deep into terrain

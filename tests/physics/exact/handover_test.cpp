@@ -1,4 +1,5 @@
-// Handing the world over to the stepping method and taking it back: nothing is remembered from one time to the next.
+// Handing balls that lean over to the stepping method and taking them back: nothing is remembered from one time to the
+// next.
 #include <cmath>
 #include <utility>
 
@@ -17,7 +18,7 @@ TEST_CASE("a ball that fell asleep in one hand-over is awake in the next, and fa
     run.scene.drag = {2, 1};
     run.to(3);
     // The third ball, pulled along the floor, knocks the first, which lay asleep, on its way to the edge; then it is
-    // thrown against the second, and the world is handed over again.
+    // thrown against the second, and balls are handed over again.
     for (auto const& [time, target] :
          {std::pair{3.6, Vec2(9, 42)}, {3.85, Vec2(14.5, 40.6)}, {4.2, Vec2(6, 41)}, {4.9, Vec2(1.9, 40.3)}}) {
         run.pull(2, target);
