@@ -61,7 +61,7 @@ namespace {
 std::string pile_keeps(double tolerance, physics::Scene const& scene, double rate) {
     std::string const at = "steps at " + std::to_string(std::lround(rate)) + " steps/s";
     return pile_rate_within(tolerance, scene) <= fastest_pile_rate
-               ? at + " are known to keep " + in_metres(tolerance)
+               ? at + " kept " + in_metres(tolerance) + " in every pile that was measured"
                : "nothing is known to keep " + in_metres(tolerance) + "; nearest, " + at;
 }
 

@@ -11,8 +11,9 @@ namespace game {
 inline constexpr double lowest_rate = 1;     // steps/s: below it a step is longer than any motion worth a look
 inline constexpr double highest_rate = 1e6;  // steps/s: above it a second takes minutes
 
-// How far `steps` errs at its usual rate in smooth motion; the error falls with the square of the step. Most of it is
-// the straight line between two steps, which leaves a parabola under gravity by g / (8 rate^2).
+// How far balls that lean on each other err under `steps` at its usual rate while they move smoothly; the error falls
+// with the square of the step. Most of it is the straight line between two steps, which leaves a parabola under gravity
+// by g / (8 rate^2). All others, and so a ball alone, are on their exact path at any rate.
 inline constexpr double usual_error = 2.5e-5;          // m
 inline constexpr double highest_tolerance_rate = 1e5;  // steps/s: no tolerance asks for more
 
@@ -28,8 +29,9 @@ bool is_method_name(std::string const& name);
 // Why no method of that name can be had, or nothing when it can.
 std::optional<std::string> objection_to(MethodWish const& wish);
 
-// The rate at which `steps` keeps a tolerance, m: its usual one at least; of piles, whose error is that balls sink into
-// each other, what is known to suffice, 60 to 960 steps/s.
+// The rate for a tolerance, m, under `steps`: its usual one at least, for a few balls that may come to lean on each
+// other (for one ball it does not matter); of piles, whose error is that balls sink into each other, what sufficed for
+// all that were measured, 60 to 960 steps/s.
 double rate_within(double tolerance, physics::Scene const& scene);
 
 // The method named, or the one chosen for the scene by its needs; with a tolerance, `steps` at the rate that keeps it.

@@ -66,7 +66,9 @@ void measure_beside_exact(ToleranceWatch& watch, Session const& session, std::ve
 }  // namespace
 
 bool is_promised(physics::Method const& method, physics::Scene const& scene) {
-    return std::holds_alternative<physics::Exact>(method) && scene.balls.size() == 1;
+    bool const keeps_to_legs =
+        std::holds_alternative<physics::Exact>(method) || std::holds_alternative<physics::Steps>(method);
+    return keeps_to_legs && scene.balls.size() == 1;
 }
 
 std::string doubt_about(physics::Method const& method, physics::Scene const& scene) {

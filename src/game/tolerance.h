@@ -11,7 +11,8 @@ namespace game {
 
 std::string in_metres(double length);  // m, in two digits, for people
 
-// Only one ball under the exact method has no error but rounding, whatever happens to it.
+// Only one ball under `exact`, or under `steps`, where it moves alike to the bit (physics.md 9.1), has no error but
+// rounding, whatever happens to it.
 bool is_promised(physics::Method const& method, physics::Scene const& scene);
 
 // One clause, for people: why the tolerance is no more than an estimate. Empty where it is promised.

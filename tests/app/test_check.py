@@ -56,7 +56,8 @@ class Check(ProgramTest):
         line = self.done("check", "--tolerance", "1e-6", self.small_level).decode().splitlines()[-1]
         self.assertRegex(line, r": method exact: .* right to rounding")
         line = self.done("check", "--tolerance", "1e-2", ASSETS / "lab" / "pile.svg").decode().splitlines()[-1]
-        self.assertRegex(line, r": method steps: steps at \d+ steps/s are known to keep 0.01 m; an estimate")
+        self.assertRegex(line, r": method steps: steps at \d+ steps/s kept 0.01 m in every pile that was measured; "
+                               r"an estimate")
         line = self.done("check", "--tolerance", "1e-9", ASSETS / "lab" / "pile.svg").decode().splitlines()[-1]
         self.assertRegex(line, r": method steps: nothing is known to keep 1e-09 m; nearest, steps at \d+ steps/s")
         self.assert_fails(2, "check", "--tolerance", "0", self.small_level, says="tolerance")
