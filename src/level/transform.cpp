@@ -196,14 +196,6 @@ double determinant(Affine const& map) { return map.a * map.d - map.b * map.c; }
 
 double scale_of(Affine const& map) { return std::sqrt(std::abs(determinant(map))); }
 
-bool is_similarity(Affine const& map) {
-    double const slack =
-        similarity_slack * std::max({std::abs(map.a), std::abs(map.b), std::abs(map.c), std::abs(map.d)});
-    bool const turns = std::abs(map.a - map.d) <= slack && std::abs(map.b + map.c) <= slack;
-    bool const mirrors = std::abs(map.a + map.d) <= slack && std::abs(map.b - map.c) <= slack;
-    return turns || mirrors;
-}
-
 Transform parsed_transform(std::string_view text, Vec2 const& whole) { return TransformReader(text, whole).read(); }
 
 Affine parsed_function(std::string_view name, std::string_view arguments, Vec2 const& whole) {

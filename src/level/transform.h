@@ -27,7 +27,6 @@ double scale_of(Affine const& map);
 
 // Programs write rotations with six or more decimals; a matrix this near to a similarity is meant as one.
 inline constexpr double similarity_slack = 1e-6;  // relative to the matrix's size
-bool is_similarity(Affine const& map);            // mirroring ones included
 
 // What per cent are of: a box in the units of the element that is transformed.
 struct ReferenceBox {

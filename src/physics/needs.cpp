@@ -84,25 +84,11 @@ char const* name_of(Need need) {
     return "";
 }
 
-bool covers(Method const& method, Need need) {
-    struct Covers {
-        Need need;
-        // The article knows one ball, full grip and neither bounces nor resistance.
-        bool operator()(Article const&) const {
-            return need == Need::arcs || need == Need::corners || need == Need::drag;
-        }
-        // The textbook's method knows all, and keeps none of it as soon as a step is long: it is named, never chosen.
-        bool operator()(Euler const&) const { return true; }
-        bool operator()(Exact const&) const { return need != Need::piles; }
-        bool operator()(Steps const&) const { return true; }
-    };
-    return std::visit(Covers{need}, method);
-}
+bool exact_covers(Need need) { return need != Need::piles; }
 
 Choice choice_for(Scene const& scene) {
     std::vector<Reason> const needs = needs_of(scene);
-    auto const piles =
-        std::find_if(needs.begin(), needs.end(), [](Reason const& r) { return !covers(Exact{}, r.need); });
+    auto const piles = std::find_if(needs.begin(), needs.end(), [](Reason const& r) { return !exact_covers(r.need); });
     if (piles == needs.end())
         return {Exact{}, "it covers every need and is right to rounding on all that it was tried on (docs/physics.md)"};
     return {Steps{}, "the exact method does not cover " + std::string(name_of(piles->need)) + ": " + piles->why};

@@ -21,8 +21,8 @@ std::vector<Reason> needs_of(Scene const& scene);
 
 char const* name_of(Need need);
 
-// A promise of safety: what the method can be trusted with.
-bool covers(Method const& method, Need need);
+// A promise of safety: what the exact method can be trusted with.
+bool exact_covers(Need need);
 
 struct Choice {
     Method method;

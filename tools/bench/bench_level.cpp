@@ -102,7 +102,7 @@ double largest_distance(std::vector<Moment> const& a, std::vector<Moment> const&
 // Whether the exact method goes through all of it by itself, and never lets `steps` help it out.
 bool exact_suffices(Task const& task) {
     for (physics::Reason const& reason : physics::needs_of(task.scene))
-        if (!physics::covers(physics::Exact{}, reason.need)) return false;
+        if (!physics::exact_covers(reason.need)) return false;
     game::Session session = game::session_of(task.play->level, physics::Exact{}, task.play->inputs);
     game::advance(session, task.duration);
     return std::none_of(session.history.events.begin(), session.history.events.end(),

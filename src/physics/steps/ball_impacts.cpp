@@ -1,24 +1,10 @@
 #include "physics/steps/ball_impacts.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace physics {
 
 using geometry::dot;
-
-Impact after_impact(State const& state, Ball const& ball, Vec2 const& normal, double restitution, double friction) {
-    Vec2 const tangent = geometry::turned_right(normal);
-    double const closing = dot(state.velocity, normal);
-    double const slip = dot(state.velocity, tangent) + ball.radius * state.spin;
-    double const k = ball.inertia;
-    Impact impact{state, {}};
-    impact.impulse.normal = std::max(0.0, -(1 + restitution) * closing);
-    impact.impulse.tangent = within_grip(-slip * k / (1 + k), friction, impact.impulse.normal);
-    impact.state.velocity += impact.impulse.normal * normal + impact.impulse.tangent * tangent;
-    impact.state.spin += impact.impulse.tangent / (k * ball.radius);
-    return impact;
-}
 
 PairImpact after_pair_impact(State const& first, Ball const& one, State const& second, Ball const& other,
                              Vec2 const& normal, double restitution) {

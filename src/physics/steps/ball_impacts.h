@@ -1,18 +1,10 @@
-// Impacts: the impulse at one contact, with restitution and Coulomb friction (physics.md 1). It never gains energy.
+// Impacts of two balls: the impulse, with restitution and Coulomb friction (physics.md 1.3). It never gains energy.
 #pragma once
 
 #include "physics/motion/impact.h"
 #include "physics/world/world.h"
 
 namespace physics {
-
-// The state of a ball just after it hits fixed terrain whose unit normal is `normal`, with restitution e and friction
-// mu.
-struct Impact {
-    State state;
-    Impulse impulse;
-};
-Impact after_impact(State const& state, Ball const& ball, Vec2 const& normal, double restitution, double friction);
 
 // The states of two balls just after they hit each other; `normal` points from the first to the second.
 struct PairImpact {
