@@ -1,4 +1,4 @@
-// Drawn curves as arcs that join with equal tangents: Bezier curves and ellipses.
+// Drawn curves as arcs that join with equal tangents: Bezier curves and ellipses (physics.md 10.1).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Elementary functions made of + - * / and sqrt alone, so that every compiler and C library gives the same bits.
+// Elementary functions made of + - * / and sqrt alone, so that every compiler and C library gives the same bits
+// (physics.md 11.3).
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Jacobi's elliptic functions of one modulus k, by theta series of which a few terms are enough; real arguments only
-// (Whittaker and Watson, chapters 21 and 22).
+// (Whittaker and Watson, chapters 21 and 22; physics.md 11.4).
 #pragma once
 
 #include "geometry/elementary.h"

@@ -4,7 +4,7 @@
 // Once a step: velocities by the forces, then places by the new velocities (semi-implicit Euler); whoever overlaps then
 // is given impulses with restitution and Coulomb friction, pair by pair, in a few sweeps; and is pushed out of what it
 // overlaps (projection). So it errs by the first power of the step, turns what it pushes out into energy or loses it,
-// and passes through what is thinner than its way in a step. `auto` never picks it.
+// and passes through what is thinner than its way in a step (physics.md 9.6). `auto` never picks it.
 #pragma once
 
 #include "physics/world/world.h"

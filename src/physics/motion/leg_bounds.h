@@ -1,5 +1,5 @@
 // Bounds on where a leg leads between two times, that hold for certain (to rounding), from its ends and from bounds on
-// its acceleration: what a search by inclusion skips intervals with.
+// its acceleration: what a search by inclusion skips intervals with (physics.md 3.10).
 #pragma once
 
 #include <optional>

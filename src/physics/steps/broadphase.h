@@ -1,4 +1,4 @@
-// Balls among balls: who is near whom, who is left standing, and impacts at the moment of touch.
+// Balls among balls: who is near whom, who is left standing, and impacts at the moment of touch (physics.md 9.1).
 #pragma once
 
 #include "physics/steps/step_context.h"

@@ -1,4 +1,4 @@
-// Hits of balls at a moment within the substep: back to it, the impulses, and on from it.
+// Hits of balls at a moment within the substep: back to it, the impulses, and on from it (physics.md 9.3).
 #pragma once
 
 #include <vector>

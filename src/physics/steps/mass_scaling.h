@@ -1,4 +1,4 @@
-// Light balls beneath heavy ones: what the soft contacts of a pile cannot hold by themselves.
+// Light balls beneath heavy ones: what the soft contacts of a pile cannot hold by themselves (physics.md 9.4).
 #pragma once
 
 #include "physics/steps/step_context.h"

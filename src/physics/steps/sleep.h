@@ -1,4 +1,4 @@
-// Balls that have come to rest are left standing until something near them moves.
+// Balls that have come to rest are left standing until something near them moves (physics.md 9.5).
 #pragma once
 
 #include "physics/steps/step_context.h"

@@ -1,4 +1,5 @@
-// The stepping method: balls that lean on each other take fixed steps of a few substeps, all others follow their plan.
+// The stepping method: balls that lean on each other take fixed steps of a few substeps, all others follow their plan
+// (physics.md 9.1).
 //
 // How one ball moves against terrain is known once, as the legs (plan/planned_balls.h). A ball that no
 // other can come near within a step is left to it. Those that have others near are looked at in substeps: on their plan

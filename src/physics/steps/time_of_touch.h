@@ -1,4 +1,4 @@
-// When two balls touch within a substep.
+// When two balls touch within a substep (physics.md 9.3).
 #pragma once
 
 #include "physics/steps/step_context.h"

@@ -1,4 +1,5 @@
-// The field a ball moves in: gravity, turned by the tilt, and the drag spring on the ball that is pulled.
+// The field a ball moves in: gravity, turned by the tilt, and the drag spring on the ball that is pulled
+// (physics.md 3.1).
 #pragma once
 
 #include "geometry/oscillator.h"
