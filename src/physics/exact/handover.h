@@ -6,7 +6,7 @@
 namespace physics {
 
 // From world.time on balls that are near each other take steps, counted from there, because of `ball` and those that it
-// touches. Every ball stays on its plan until it leans on another, of that island or not; only that island is told of.
+// touches. Every ball stays on its plan until it leans on another, of that island or not.
 void hand_over(Scene const& scene, World& world, int ball, History& history);
 
 // To `until` or to the end of the present step, whichever is sooner. Balls that come to lean on others meanwhile are
