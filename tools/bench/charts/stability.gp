@@ -5,6 +5,8 @@ eval begin("drag-stability", 1300, 760)
 unset x2tics; unset xtics; unset ytics; unset title
 set multiplot layout 2,3 title "The drag spring at 60 steps a second: how far the answer to a sudden pull is off, and where the ball runs away" \
     font font.",16" margins 0.06,0.88,0.09,0.88 spacing 0.03,0.1
+drag = tables."/drag.tsv"
+eval find_blocks(drag)
 set border 15 lc rgb "#555555"
 set xrange [log10(0.5):log10(60)]; set yrange [0:2]
 set xtics scale 0.5 nomirror ("0.5" log10(0.5), "1" 0, "2" log10(2), "5" log10(5), "10" 1, "20" log10(20), "50" log10(50))
@@ -12,7 +14,6 @@ set ytics scale 0.5 nomirror 0.5
 set palette defined (-15 "#1a5276", -11 "#2e86c1", -6 "#a9dfbf", -2 "#f9e79f", -1 "#f5b041", 0 "#dc7633", 0.45 "#cb4335", 0.46 "#2b2b2b", 1 "#2b2b2b")
 set cbrange [-15:1]
 set format "%g"
-drag = tables."/drag.tsv"
 bound(z) = log10(60 / pi * (sqrt(1 + z * z) - z))
 set samples 200
 do for [i = 0:5] {
@@ -20,11 +21,10 @@ do for [i = 0:5] {
     if (i == 2) { set colorbox user origin 0.905,0.09 size 0.018,0.79; \
         set cbtics scale 0 ("10^{-15}" -15, "10^{-12}" -12, "10^{-9}" -9, "10^{-6}" -6, "10^{-3}" -3, "all" 0, "runs away" 0.75) }
     name = word(methods, i + 1)
-    eval find_block(drag, name)
     set title name eq "euler" ? "euler, the plain loop" : name font font.",13" offset 0,-0.5
     set xlabel i > 2 ? "frequency of the spring, Hz" : "" offset 0,0.3
     set ylabel i % 3 == 0 ? "damping, of critical" : ""
-    plot drag index block using (log10($2)):3:($5 == 1 ? log10($4 < 1e-15 ? 1e-15 : $4 > 2.5 ? 2.5 : $4) : 1) with image notitle, \
+    plot drag index block[i + 1] using (log10($2)):3:($5 == 1 ? log10($4 < 1e-15 ? 1e-15 : $4 > 2.5 ? 2.5 : $4) : 1) with image notitle, \
         "+" using (bound(2 * ($1 - log10(0.5)) / (log10(60) - log10(0.5)))):(2 * ($1 - log10(0.5)) / (log10(60) - log10(0.5))) \
             with lines lw 2 dt 2 lc rgb "#ffffff" notitle
 }
@@ -37,18 +37,18 @@ set multiplot layout 1,6 title "A ball of radius 0.5 m thrown at a wall, 60 step
     font font.",16" margins 0.06,0.98,0.16,0.78 spacing 0.02,0
 unset colorbox
 set palette defined (0 "#d4e6f1", 0.001 "#f5b041", 0.5 "#cb4335", 1 "#2b2b2b")
+walls = tables."/walls.tsv"
+eval find_blocks(walls)
 set cbrange [0:1]
 set xrange [0:5]; set yrange [0:2]
 set xtics scale 0.5 nomirror ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4)
-walls = tables."/walls.tsv"
 step_past = log10(60 * 0.5)  # a radius a step, m/s
 do for [i = 0:5] {
-    eval find_block(walls, word(methods, i + 1))
     set title word(methods, i + 1) font font.",13" offset 0,-0.5
     set xlabel "speed, m/s" offset 0,0.3
     set ylabel i == 0 ? "thickness of the wall, m" : ""
     if (i > 0) { set ytics scale 0.5 ("" 0, "" 0.5, "" 1, "" 1.5, "" 2) } else { set ytics scale 0.5 nomirror autofreq 0.5 }
-    plot walls index block using (log10($2)):3:4 with image notitle, \
+    plot walls index block[i + 1] using (log10($2)):3:4 with image notitle, \
         "+" using (step_past):($1 * 2 / 5) with lines lw 2 dt 2 lc rgb "#7f8c8d" notitle
 }
 unset multiplot

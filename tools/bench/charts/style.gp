@@ -26,9 +26,10 @@ methods = "exact steps euler article Box2D Chipmunk"
 place(name, list) = sum [k = 1:words(list)] (word(list, k) eq name ? k : 0)
 style_of(method) = int(word("1 3 9 4 5 6", place(method, methods)))
 
-# Which block of a table, from 0, is a method's: `block` after eval find_block(table, method).
-find_block(table, method) = sprintf("stats '%s' using (strcol(1) eq '%s' ? column(-2) : NaN) nooutput; block = int(STATS_min)", \
-    table, method)
+# Which block of a table, from 0, is a method's: block[i] of the i-th after eval find_blocks(table). Forgets ranges.
+array block[words(methods)]
+find_blocks(table) = sprintf("set autoscale; do for [k = 1:words(methods)] { \
+    stats '%s' using (strcol(1) eq word(methods, k) ? column(-2) : NaN) nooutput; block[k] = int(STATS_min) }", table)
 
 set border 3 lc rgb "#555555"
 set tics nomirror textcolor rgb "#333333"
