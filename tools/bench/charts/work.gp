@@ -74,7 +74,7 @@ do for [i = 1:words(scenes)] {
 }
 unset title; unset border; unset tics; unset arrow; unset grid
 set lmargin at screen 0.28; set rmargin at screen 0.97; set bmargin at screen 0.03; set tmargin at screen 0.22
-set key center center samplen 3 spacing 1.6 font font.",12" Left reverse noinvert maxrows 8
+set key center center samplen 3 spacing 1.3 font font.",12" Left reverse noinvert maxrows 8
 unset logscale xy; set yrange [0:1]; set xrange [0:1]
 eval "plot ".keys.",".chords.",".finer.", NaN with lines dt 3 lc rgb '#888888' title 'one pixel; all of the time there is at 60 Hz'"
 unset multiplot
