@@ -93,7 +93,8 @@ void Elements::read(pugi::xml_node node, std::string_view tag, Context const& co
 }
 
 void Elements::fault_of_place(Element const& element, TooFar const& far) {
-    fault(element, far_coordinates(element.node, element.tag, scale_of(element.context.to_world)) + ": " + far.what());
+    fault(element,
+          far_attributes(element.node, element.tag, scale_of(element.context.to_world), far) + ": " + far.what());
 }
 
 void Elements::read_role(Element const& element, Role role) {

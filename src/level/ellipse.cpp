@@ -8,10 +8,10 @@
 
 namespace level {
 
+using geometry::cross;
 using geometry::dot;
 using geometry::EllipticArc;
 using geometry::pi;
-using geometry::cross;
 
 namespace {
 

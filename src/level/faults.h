@@ -20,9 +20,10 @@ struct Unsupported : Broken {
     using Broken::Broken;
 };
 
-// Thrown for a place beyond the limit: whoever knows the element adds the attribute's name.
+// Thrown for a place or radius beyond the limit: whoever knows the element adds the attribute's name.
 struct TooFar : Broken {
-    using Broken::Broken;
+    bool is_radius = false;
+    explicit TooFar(std::string const& what, bool radius = false) : Broken(what), is_radius(radius) {}
 };
 
 // Findings in the order in which they were met; equal ones once.

@@ -133,7 +133,7 @@ private:
     }
 
     double checked_radius(double radius) const {
-        if (!(radius <= most_metres)) throw Broken("a radius must be at most 1e6 m, got " + shown(radius));
+        if (!(radius <= most_metres)) throw TooFar("a radius must be at most 1e6 m, got " + shown(radius), true);
         return radius;
     }
 

@@ -15,8 +15,8 @@ struct Traced {
 };
 
 // Lines and circles stay what they are, and circular arcs under a similarity; every other curve becomes arcs within
-// `tolerance` (m) of it that join with equal tangents. Throws TooFar where a coordinate is beyond the limit,
-// Broken where a radius is.
+// `tolerance` (m) of it that join with equal tangents. Throws TooFar where a coordinate or a radius is
+// beyond the limit.
 Traced traced(Shape const& shape, Affine const& to_world, double tolerance);
 
 // A point in the world. Throws TooFar where it is beyond the limit.

@@ -27,7 +27,7 @@ std::pair<double, double> radii_of(Ellipse const& ellipse, Affine const& map) {
 
 DiscRegion checked(DiscRegion const& disc) {
     if (!(disc.radius > 0)) throw Broken("the radius must be greater than 0, got " + shown(disc.radius));
-    if (!(disc.radius <= most_metres)) throw Broken("the radius must be at most 1e6 m, got " + shown(disc.radius));
+    if (!(disc.radius <= most_metres)) throw TooFar("a radius must be at most 1e6 m, got " + shown(disc.radius), true);
     return disc;
 }
 

@@ -111,6 +111,12 @@ std::vector<char const*> coordinates_of(std::string_view tag) {
     return {"points"};
 }
 
+std::vector<char const*> radii_of(std::string_view tag) {
+    if (tag == "circle") return {"r"};
+    if (tag == "ellipse" || tag == "rect") return {"rx", "ry"};
+    return coordinates_of(tag);
+}
+
 template <typename Read>
 std::vector<Subpath> read_or_name(char const* attribute, Read&& read) {
     try {
@@ -127,12 +133,12 @@ bool is_shape(std::string_view tag) {
            tag == "circle" || tag == "ellipse";
 }
 
-std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale) {
+std::string far_attributes(pugi::xml_node node, std::string_view tag, double scale, TooFar const& far) {
     std::string all, beyond;
     auto const add = [](std::string& list, char const* name) {
         list += (list.empty() ? "" : ", ") + std::string(name);
     };
-    for (char const* const name : coordinates_of(tag)) {
+    for (char const* const name : far.is_radius ? radii_of(tag) : coordinates_of(tag)) {
         add(all, name);
         Parsed const parsed = parsed_number(node.attribute(name).value());
         if (std::abs(parsed.value) * scale > most_metres) add(beyond, name);

@@ -8,6 +8,7 @@
 
 #include <pugixml.hpp>
 
+#include "level/faults.h"
 #include "level/svg_path.h"
 
 namespace level {
@@ -30,9 +31,9 @@ std::vector<Vec2> corners_of_rect(pugi::xml_node node, Vec2 const& viewport);
 // Both ends of a line element. Throws as shape_of does.
 std::vector<Vec2> ends_of_line(pugi::xml_node node, Vec2 const& viewport);
 
-// Which attributes place a shape too far away under a transform that enlarges by `scale`: those that are beyond the
-// limit by themselves, else all that say where the shape is. "cx, cy"
-std::string far_coordinates(pugi::xml_node node, std::string_view tag, double scale);
+// Which attributes place a shape too far away, or make it too round, under a transform that enlarges by `scale`: those
+// that are beyond the limit by themselves, else all that say where, or how round, the shape is. "cx, cy"
+std::string far_attributes(pugi::xml_node node, std::string_view tag, double scale, TooFar const& far);
 
 // Whether a rect has round corners. Throws as shape_of does.
 bool has_round_corners(pugi::xml_node node, Vec2 const& viewport);

@@ -55,6 +55,7 @@ TEST_CASE("T16: every number out of its range is a fault that names it") {
     CHECK(radius("r='1' transform='scale(0)'") == ":2: ball: the radius must be greater than 0, got 0");
     CHECK(radius("r='1' transform='scale(2 1)'") ==
           ":2: ball: transform must keep a circle a circle; make width and height the same");
+    CHECK(radius("r='2e6'") == ":2: ball: r: a radius must be at most 1e6 m, got 2e+06");
     CHECK(radius("r='1' transform='scale(1e7)'") == ":2: ball: cx, cy: a coordinate must be at most 1e6 m, got 3e+07");
 }
 
@@ -69,6 +70,8 @@ TEST_CASE("faults of surfaces, bananas and goals") {
           ":3: terrain: data-curve-tolerance must be at least 1e-6 m, got 0");
     CHECK(fault_of(with("<line class='terrain' x2='1000001'/>")) ==
           ":3: terrain: x2: a coordinate must be at most 1e6 m, got 1e+06");
+    CHECK(fault_of(with("<ellipse class='terrain' rx='3e6' ry='2'/>")) ==
+          ":3: terrain: rx: a radius must be at most 1e6 m, got 3e+06");
     CHECK(fault_of(with("<line class='terrain' x2='inf'/>")) == ":3: terrain: x2 must be finite, got inf");
     CHECK(fault_of(with("<circle class='banana' cx='5' cy='5' r='-1'/>")) ==
           ":3: banana: r must be greater than 0, got -1");

@@ -137,6 +137,7 @@ Part numbers_part(std::string const& lab, std::vector<int> const& balls, std::ve
         for (Contestant const& contestant : ours_and_peers()) add("surfaces", count, contestant, flight_over(count), 1);
     Task valley;
     valley.scene = level::read_level(lab + "/valley.svg").scene;
+    valley.scene.sensors.clear();  // who falls out of the frame is the game's business
     valley.duration = 5;
     for (Contestant contestant : ours_and_peers()) {
         bool const knows_arcs = contestant.pieces == 0;

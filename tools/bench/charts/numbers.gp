@@ -10,7 +10,7 @@ unset key
 set ytics ("1 µs" 1, "10 µs" 10, "0.1 ms" 100, "1 ms" 1e3, "10 ms" 1e4, "0.1 s" 1e5, "1 s" 1e6, "10 s" 1e7)
 cost(what, method) = is(what, method) && $3 > 0 ? $4 / 1e3 : NaN
 # Under steps lone balls cost the same as under exact, but for noise: where that crosses is nothing to show.
-shown(what, method) = strcol(1) eq what && place(method, compared) > 0 && (method ne "steps" || what eq "balls")
+shown(what, method) = strcol(1) eq what && place(method, "Box2D Chipmunk") > 0
 # Where the exact method and another cost the same: a ring, with the count beside it.
 plots(what) = sprintf("plot for [m in compared] numbers using 3:(cost('%s', m)) with linespoints ls style_of(m), \
     crossings using (shown('%s', strcol(2)) ? $3 : NaN):($4 / 1e3) with points pt 6 ps 3 lw 2 lc rgb '#333333', \
