@@ -62,10 +62,6 @@ bool parts(MotionContext const& context, Struck const& struck, std::size_t i, Ve
                parting * rounding * (geometry::length(pull) + square / context.ball.radius);
 }
 
-}  // namespace
-
-namespace {
-
 // m, how far a ball on its track can get within the horizon: friction drives it at most as fast as its rim, gravity
 // adds to that.
 double farthest_on_track(MotionContext const& context, SurfaceState const& on_track) {

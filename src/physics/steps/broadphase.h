@@ -1,4 +1,4 @@
-// Balls among balls: who is near whom, who is left standing, and impacts at the moment of touch (physics.md 9.1).
+// Balls among balls: who is near whom, and who is left standing (physics.md 9.1).
 #pragma once
 
 #include "physics/steps/step_context.h"
@@ -28,9 +28,5 @@ void release_parted(StepContext& context, double now);
 std::vector<CachedContact> all_touches(ContactIsland const& island);
 
 void remember_departures(StepContext& context, double until);  // s, the end of the substep
-
-// Impacts between balls within the substep, each at its moment: both go back to it, hit, and travel on. Pairs that
-// close too slowly to bounce begin to lean on each other.
-void collide(StepContext& context, Substep const& substep);
 
 }  // namespace physics

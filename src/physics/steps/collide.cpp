@@ -1,3 +1,5 @@
+#include "physics/steps/collide.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>

@@ -12,7 +12,8 @@ using geometry::dot;
 
 namespace {
 
-constexpr int most_pushes = 16;  // out of one piece after the other
+constexpr int most_pushes = 16;      // out of one piece after the other
+constexpr double spans_planned = 2;  // of a swept ball: one, and as much again, as the end of the first is rounded
 
 void be_where(StepContext& context, World const& world, int ball, double time) {
     context.body_states[ball].state = at(world.legs[ball], time);
@@ -138,7 +139,7 @@ void sweep(StepContext& context, int ball, double time, double span) {
     context.alone_history.legs[ball].clear();
     context.alone_history.events.clear();
     set_out(context.scene, context.alone_world, context.alone_history, ball, context.body_states[ball].state,
-            no_contact, time, 2 * span);
+            no_contact, time, spans_planned * span);
     follow_plan(context.scene, context.alone_world, context.alone_history, ball, time + span);
     be_where(context, context.alone_world, ball, time + span);
 }

@@ -6,6 +6,7 @@
 #include "physics/plan/planned_balls.h"
 #include "physics/steps/stepping.h"
 #include "physics/steps/broadphase.h"
+#include "physics/steps/collide.h"
 #include "physics/steps/contact_island.h"
 #include "physics/steps/lone_balls.h"
 #include "physics/steps/sleep.h"
